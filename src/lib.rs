@@ -301,6 +301,11 @@ struct Overview;
 /// see.
 #[doc(hidden)]
 pub mod __private {
+    pub use core::option::Option;
+    pub use core::option::Option::{None, Some};
+    pub use core::primitive::{bool, f64, str, usize};
+    pub use core::result::Result;
+    pub use core::result::Result::{Err, Ok};
     pub use linkage_macros::mechanism;
     #[cfg(any(feature = "std", feature = "libm"))]
     pub use linkage_runtime::support::{

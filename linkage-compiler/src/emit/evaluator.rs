@@ -19,8 +19,10 @@ pub(super) fn result(outline: &Outline, function: &Function) -> TokenStream {
     let split = attribute::split(function.attributes);
     let everywhere = &split.everywhere;
     let user_derives = split.result.iter().map(|a| &a.tokens);
-    let shown = debug::shown(outline, function);
-    let ours: &[&str] = if shown.is_some() { &["Debug"] } else { &[] };
+    let ours: &[&str] = match debug::is_shown(function) {
+        true => &["Debug"],
+        false => &[],
+    };
     let derives = attribute::derives(split.result.iter().copied(), ours);
     let head = doc(&format!(
         "What `{}::{}` returns.",
@@ -42,7 +44,6 @@ pub(super) fn result(outline: &Outline, function: &Function) -> TokenStream {
         #derives
         #(#user_derives)*
         #item
-        #shown
     }
 }
 
@@ -91,10 +92,8 @@ pub(super) fn method(outline: &Outline, function: &Function) -> TokenStream {
         true => quote!(#runtime::call(&self.__sealed, [#(#arguments),*])),
         false => quote!(#runtime::call_inlined(&self.__sealed, [#(#arguments),*])),
     });
-    let allow = attribute::allow();
     quote! {
         #(#everywhere)*
-        #allow
         impl<T: #runtime::Scalar> #assembly<T> {
             #head
             #must_use
@@ -124,10 +123,8 @@ pub(super) fn programs(outline: &Outline, function: &Function) -> TokenStream {
         function.width(),
     ]
     .map(literal::index);
-    let allow = attribute::allow();
     quote! {
         #(#everywhere)*
-        #allow
         #[doc(hidden)]
         impl<T: #runtime::Scalar> #runtime::Function<T, #core<T>, #starts, #inputs, #count, #width> for #result<T> {
             type Called = #called;
@@ -144,7 +141,7 @@ pub(super) fn programs(outline: &Outline, function: &Function) -> TokenStream {
 /// The runtime's `ResultRow` of the result type.
 pub(super) fn result_row(outline: &Outline, function: &Function) -> TokenStream {
     let runtime = &outline.runtime;
-    let result = function.result;
+    let result = result_module::result(outline, function);
     let everywhere = &attribute::split(function.attributes).everywhere;
     let width = literal::index(function.width());
     let row = entries("__row", function.width());
@@ -155,10 +152,8 @@ pub(super) fn result_row(outline: &Outline, function: &Function) -> TokenStream 
         field_scalars(&field.shape, &quote!(self.#name))
     });
     let to_row = outline.body(quote!([#(#scalars),*]));
-    let allow = attribute::allow();
     quote! {
         #(#everywhere)*
-        #allow
         impl<T: #runtime::Scalar> #runtime::ResultRow<T, #width> for #result<T> {
             #[inline(always)]
             fn from_row([#(#row),*]: [T; #width]) -> Self { #from_row }

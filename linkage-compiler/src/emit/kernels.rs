@@ -46,16 +46,14 @@ pub(super) fn items(
     let arguments = Places::of_function(outline, function).width();
     let widths =
         [0, function.arguments.len(), arguments].map(|width| literal::index(dimensions + width));
-    let allow = attribute::allow();
     quote! {
         #runtime::if_alloc! {
             #(#everywhere)*
-            #allow
             impl<T: #runtime::Scalar> #runtime::SetStages<T, #core<T>, #(#widths),*> for #marker {
-                type Prepared<const __BLOCK: ::core::primitive::usize> = #runtime::Block<T, __BLOCK, #count>;
+                type Prepared<const __BLOCK: __p::usize> = #runtime::Block<T, __BLOCK, #count>;
 
                 #[inline(always)]
-                fn prepare<const __FUSED: ::core::primitive::bool>(
+                fn prepare<const __FUSED: __p::bool>(
                     __core: &#core<T>,
                     __dimensions: &impl #runtime::RowNumbers<T>,
                     __slots: &mut impl #runtime::RowNumbersMut<T>,

@@ -78,7 +78,6 @@ pub(super) fn with_imports(
         #allow
         mod #module {
             // For links in the docs of the user.
-            #allow
             use super::*;
             #types
             #swept

@@ -44,11 +44,9 @@ pub(super) fn items(outline: &Outline, function: &Function) -> TokenStream {
     let over_sets = (!outline.parameters.is_empty()).then(|| sweeps.over_sets());
     let everywhere = &attribute::split(function.attributes).everywhere;
     let (runtime, assembly) = (&outline.runtime, &outline.assembly);
-    let allow = attribute::allow();
     quote! {
         #runtime::if_alloc! {
             #(#everywhere)*
-            #allow
             impl<T: #runtime::Scalar> #assembly<T> {
                 #over_inputs
                 #over_sets

@@ -22,7 +22,7 @@ pub(super) fn items(outline: &Outline, function: &Function, columns: &[Column]) 
     let picture = first.map(|first| {
         let (first, mechanism) = (literal::index(first), outline.name);
         quote! {
-            #runtime::PictureColumns { first: #first, picture: <#mechanism<::core::primitive::f64>>::PICTURE }
+            #runtime::PictureColumns { first: #first, picture: <#mechanism<__p::f64>>::PICTURE }
         }
     });
     let picture = optional(picture);
@@ -41,16 +41,14 @@ pub(super) fn items(outline: &Outline, function: &Function, columns: &[Column]) 
     let rows = outline.body(quote!(self.0.len()));
     let values = outline.body(quote!(self.0.column(index)));
     let everywhere = &attribute::split(function.attributes).everywhere;
-    let allow = attribute::allow();
     quote! {
         #runtime::if_report! {
             #(#everywhere)*
-            #allow
             #[automatically_derived]
-            impl #runtime::Table for #ty<::core::primitive::f64> {
+            impl #runtime::Table for #ty<__p::f64> {
                 fn heading(&self) -> &'static #runtime::Heading { #heading }
-                fn rows(&self) -> ::core::primitive::usize { #rows }
-                fn column(&self, index: ::core::primitive::usize) -> &[::core::primitive::f64] { #values }
+                fn rows(&self) -> __p::usize { #rows }
+                fn column(&self, index: __p::usize) -> &[__p::f64] { #values }
             }
         }
     }
@@ -81,7 +79,7 @@ fn column(outline: &Outline, column: &Column) -> TokenStream {
 
 fn optional(value: Option<TokenStream>) -> TokenStream {
     match value {
-        Some(value) => quote!(::core::option::Option::Some(#value)),
-        None => quote!(::core::option::Option::None),
+        Some(value) => quote!(__p::Some(#value)),
+        None => quote!(__p::None),
     }
 }

@@ -27,7 +27,7 @@ pub(super) fn items(outline: &Outline, unit: &CompiledMechanism) -> TokenStream 
         ..
     } = outline;
     let moving = moving_name(outline);
-    let float = quote!(::core::primitive::f64);
+    let float = quote!(__p::f64);
     let Types { modes, .. } = Types::new(outline, unit);
     let dimensions = outline.scalar_fields().len();
     let [parameters, angles, inputs, width, groups] = [
@@ -60,9 +60,7 @@ pub(super) fn items(outline: &Outline, unit: &CompiledMechanism) -> TokenStream 
         .functions
         .iter()
         .map(|function| of_function(outline, function));
-    let allow = attribute::allow();
     quote! {
-        #allow
         #[doc(hidden)]
         #visibility struct #moving {
             __m: #name<#float>,
@@ -70,7 +68,6 @@ pub(super) fn items(outline: &Outline, unit: &CompiledMechanism) -> TokenStream 
             __turns: #runtime::Turns<#float, #angles, #inputs>,
         }
         #(#kernels)*
-        #allow
         impl #runtime::Moving<#parameters, #width> for #moving {
             const GROUPS: &'static [#runtime::CoupledGroup] = {
                 const __GROUPS: &[#runtime::CoupledGroup; #groups] = &#assembly::<#float>::__GROUPS;
@@ -81,17 +78,16 @@ pub(super) fn items(outline: &Outline, unit: &CompiledMechanism) -> TokenStream 
 
             fn correct(
                 &self,
-                __group: ::core::primitive::usize,
+                __group: __p::usize,
                 __rows: &impl #runtime::Arguments<#float, #width>,
                 __columns: &mut #runtime::Columns<#float>,
             ) {
                 match __group { #(#corrections)* }
             }
         }
-        #allow
         impl<T: #runtime::Scalar> #assembly<T> {
             /// One lane, where it stands.
-            fn __moving(__core: &#core<T>, __lane: ::core::primitive::usize) -> #moving {
+            fn __moving(__core: &#core<T>, __lane: __p::usize) -> #moving {
                 #moving {
                     __m: #name::__lane(&__core.__mechanism, __lane),
                     __modes: __core.__modes,
@@ -116,8 +112,8 @@ fn kernel(outline: &Outline, number: usize, outputs: usize) -> TokenStream {
         assembly,
         ..
     } = outline;
-    let float = quote!(::core::primitive::f64);
-    let size = quote!(::core::primitive::usize);
+    let float = quote!(__p::f64);
+    let size = quote!(__p::usize);
     let (kernel, moving) = (kernel_name(outline, number), moving_name(outline));
     let method = format_ident!("__correct{number}");
     let dimensions = outline.scalar_fields().len();
@@ -130,13 +126,10 @@ fn kernel(outline: &Outline, number: usize, outputs: usize) -> TokenStream {
     let found = entries("__found", outputs);
     let columns: Vec<_> = (0..outputs).map(literal::index).collect();
     let outputs = literal::index(outputs);
-    let allow = attribute::allow();
     quote! {
-        #allow
         struct #kernel;
-        #allow
         impl<'a> #runtime::Staged<#float, &'a #moving, #width, #outputs> for #kernel {
-            const WIDE: ::core::primitive::bool = !::core::cfg!(debug_assertions);
+            const WIDE: __p::bool = !::core::cfg!(debug_assertions);
             type Memory<const __BLOCK: #size> = #runtime::Block<#float, __BLOCK, 0>;
 
             #[inline(always)]
@@ -144,10 +137,9 @@ fn kernel(outline: &Outline, number: usize, outputs: usize) -> TokenStream {
                 __stages.stage::<0>();
             }
         }
-        #allow
         impl<'a> #runtime::Stage<#float, &'a #moving, 0> for #kernel {
             #[inline(always)]
-            fn row<const __FUSED: ::core::primitive::bool, const __ROWS: ::core::primitive::bool>(
+            fn row<const __FUSED: __p::bool, const __ROWS: __p::bool>(
                 __moving: &&'a #moving,
                 __row: &mut impl #runtime::StageRow<#float>,
             ) {
@@ -198,17 +190,15 @@ fn of_function(outline: &Outline, function: &Function) -> TokenStream {
         quote!((#number, #first, #size))
     });
     let [parameters, width] = [dimensions, dimensions + all.width()].map(literal::index);
-    let allow = attribute::allow();
     quote! {
         #(#everywhere)*
-        #allow
         impl<T: #runtime::Scalar> #runtime::FollowedStages<#core<T>, #parameters, #width> for #stages {
             type Moving = #moving;
-            const PLACES: &'static [::core::primitive::usize] = &[#(#places),*];
-            const GROUPS: &'static [(::core::primitive::usize, ::core::primitive::usize, ::core::primitive::usize)] =
+            const PLACES: &'static [__p::usize] = &[#(#places),*];
+            const GROUPS: &'static [(__p::usize, __p::usize, __p::usize)] =
                 &[#(#groups),*];
 
-            fn moving(__core: &#core<T>, __lane: ::core::primitive::usize) -> #moving {
+            fn moving(__core: &#core<T>, __lane: __p::usize) -> #moving {
                 #assembly::__moving(__core, __lane)
             }
         }

@@ -48,26 +48,24 @@ pub(super) fn items(outline: &Outline, function: &Function) -> TokenStream {
     let starts = starts_type(outline);
     let count = literal::index(function.arguments.len());
     let width = literal::index(function.arguments.len() + first);
-    let allow = attribute::allow();
     quote! {
         #(#everywhere)*
-        #allow
         impl<T: #runtime::Scalar> #runtime::States<T, #starts, #count, #width> for #name {
             #[inline(always)]
-            fn extend<const __FUSED: ::core::primitive::bool>(__initial: &#starts, __x: [T; #count]) -> [T; #width] {
+            fn extend<const __FUSED: __p::bool>(__initial: &#starts, __x: [T; #count]) -> [T; #width] {
                 #looked_up
                 [#(__x[#inputs],)* #(#states),*]
             }
 
             #[inline(always)]
             fn fill<
-                const __FUSED: ::core::primitive::bool,
-                const __LANES: ::core::primitive::usize,
-                const __BLOCK: ::core::primitive::usize,
+                const __FUSED: __p::bool,
+                const __LANES: __p::usize,
+                const __BLOCK: __p::usize,
             >(
                 __initial: &#starts,
                 __x: &[[T; __BLOCK]],
-                __vectors: ::core::primitive::usize,
+                __vectors: __p::usize,
                 __states: &mut [[T; __BLOCK]],
             ) { #filled }
         }

@@ -30,10 +30,8 @@ pub(super) fn method(outline: &Outline, function: &Function) -> TokenStream {
         plain(name)
     ));
     let body = outline.body(quote!(#runtime::single(self, [#(#others),*])));
-    let allow = attribute::allow();
     quote! {
         #(#everywhere)*
-        #allow
         impl<'a, T: #runtime::Scalar> #follower<'a, T> {
             #doc
             #[must_use]
@@ -79,14 +77,12 @@ pub(super) fn single_of(outline: &Outline, function: &Function, version: Version
     let result = result_module::result(outline, function);
     let others = others(outline, function);
     let count = literal::index(others.len());
-    let allow = attribute::allow();
     quote! {
         #(#everywhere)*
-        #allow
         #[doc(hidden)]
         impl<'a, T: #runtime::Scalar> #runtime::Single<T, #result<T>, #count> for #follower<'a, T> {
             #[inline(always)]
-            fn at<const __FUSED: ::core::primitive::bool>(&self, [#(#others),*]: [T; #count]) -> #result<T> {
+            fn at<const __FUSED: __p::bool>(&self, [#(#others),*]: [T; #count]) -> #result<T> {
                 let __assembly = self.assembly();
                 let __place = #runtime::Sealed::starts(&self.__sealed);
                 #runtime::evaluate::<#plain, #refining, _, _, _, __FUSED, _, _>(#core, #arguments)
