@@ -301,6 +301,7 @@ struct Overview;
 /// see.
 #[doc(hidden)]
 pub mod __private {
+    pub use core::marker::{Send, Sync};
     pub use core::option::Option;
     pub use core::option::Option::{None, Some};
     pub use core::primitive::{bool, f64, str, usize};
@@ -313,8 +314,8 @@ pub mod __private {
     };
     #[cfg(feature = "alloc")]
     pub use linkage_runtime::support::{
-        Arguments, Box, OverInputs, RowNumbersMut, SetStages, Vec, assemblies, fill, one, sweep,
-        sweep_into, sweep_sets, sweep_sets_into, sweep_slices,
+        Arguments, Box, OverInputs, RowNumbersMut, SetStages, Slices, Vec, assemblies, fill, one,
+        sweep, sweep_into, sweep_sets, sweep_sets_into,
     };
     pub use linkage_runtime::support::{
         AssemblyData as Sealed, Block, Dispatch as Single, FinishedRows, Function, FunctionNames,
@@ -344,11 +345,11 @@ pub mod __private {
         AssemblyError, AssemblyMode, Axis, Dimensions, Drive, DriveOn, FUSED, Frame, FunctionInfo,
         Gear, Group, Guide, GuideOn, GuideShape, Heading, Input, JointShape, NotFollowed,
         Parameter, Picture, PictureColumns, PictureJoint, PictureLink, PicturePart, PicturePoint,
-        PlaneFrame, PointKind, Programs, ResultRow, Scalar, Structure, Table, Vector2, Vector3,
-        if_alloc, if_rayon, if_report,
+        PlaneFrame, PointKind, Programs, ResultRow, Scalar, Structure, Vector2, Vector3, if_alloc,
+        if_rayon, if_report,
     };
     #[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]
     pub use linkage_runtime::{Circuits, Cycle, RangeReport};
     #[cfg(feature = "alloc")]
-    pub use linkage_runtime::{Columns, ResultColumns};
+    pub use linkage_runtime::{Columns, Headed, ResultColumns};
 }

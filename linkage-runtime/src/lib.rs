@@ -110,4 +110,7 @@ pub use scene::{Handle, Handles, Scene};
 #[cfg(feature = "nalgebra")]
 pub use screw::Screw;
 pub use structure::{FunctionInfo, Group, Structure};
+#[cfg(feature = "alloc")]
+#[doc(hidden)]
+pub use table::Headed;
 pub use table::{Column, Heading, PictureColumns, Table};

@@ -72,8 +72,8 @@ pub use stages::{
 };
 #[cfg(feature = "alloc")]
 pub use sweep::{
-    Arguments, Kernel, OverInputs, RowNumbersMut, SetStages, fill, sweep, sweep_into, sweep_sets,
-    sweep_sets_into, sweep_slices,
+    Arguments, Kernel, OverInputs, RowNumbersMut, SetStages, Slices, fill, sweep, sweep_into,
+    sweep_sets, sweep_sets_into,
 };
 #[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]
 pub use sweep::{FollowedStages, Moving, followed_sweep_sets, followed_sweep_sets_into};

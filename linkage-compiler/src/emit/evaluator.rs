@@ -62,9 +62,7 @@ fn field_item(outline: &Outline, field: &Field) -> TokenStream {
 
 /// The public method.
 pub(super) fn method(outline: &Outline, function: &Function) -> TokenStream {
-    let Outline {
-        runtime, assembly, ..
-    } = outline;
+    let runtime = &outline.runtime;
     let Function {
         visibility,
         name,
@@ -72,7 +70,6 @@ pub(super) fn method(outline: &Outline, function: &Function) -> TokenStream {
         ..
     } = function;
     let split = attribute::split(function.attributes);
-    let everywhere = &split.everywhere;
     let names: Vec<_> = function
         .fields
         .iter()
@@ -93,13 +90,10 @@ pub(super) fn method(outline: &Outline, function: &Function) -> TokenStream {
         false => quote!(#runtime::call_inlined(&self.__sealed, [#(#arguments),*])),
     });
     quote! {
-        #(#everywhere)*
-        impl<T: #runtime::Scalar> #assembly<T> {
-            #head
-            #must_use
-            #inline
-            #visibility fn #name(&self, #(#arguments: T),*) -> #result<T> { #call }
-        }
+        #head
+        #must_use
+        #inline
+        #visibility fn #name(&self, #(#arguments: T),*) -> #result<T> { #call }
     }
 }
 

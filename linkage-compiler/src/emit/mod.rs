@@ -144,19 +144,27 @@ fn function(
     for (body, version) in versions {
         items.extend(body.map(|body| stages::items(outline, function, body, version)));
     }
-    items.extend(sweeps::items(outline, function));
     items.extend(table::items(outline, function, &compiled.columns));
     let of_sets = compiled.beside.as_ref().unwrap_or(&compiled.called);
     items.extend(kernels::items(outline, function, &of_sets.stages, prepare));
     items
 }
 
-/// The functions of the types of a function, and its method.
+/// The functions of the types of a function, and its methods.
 fn results(outline: &Outline, function: &Function) -> TokenStream {
     let mut items = TokenStream::new();
     items.extend(debug::shown(outline, function));
     items.extend(evaluator::result_row(outline, function));
     items.extend(columns::items(outline, function));
-    items.extend(evaluator::method(outline, function));
+    let Outline {
+        runtime, assembly, ..
+    } = outline;
+    let everywhere = &attribute::split(function.attributes).everywhere;
+    let method = evaluator::method(outline, function);
+    let sweeps = sweeps::methods(outline, function);
+    items.extend(quote! {
+        #(#everywhere)*
+        impl<T: #runtime::Scalar> #assembly<T> { #method #sweeps }
+    });
     items
 }

@@ -12,7 +12,7 @@ use quote::format_ident;
 use super::outline::{self, Component, Field, Function, Input, Outline, Parameter, params, plain};
 use super::{
     assembly, block, circuits, dimension_path, dimensions, follower, guess::Guess, mechanism,
-    picture, range_check, results, structure, sweeps, table, types,
+    picture, range_check, results, structure, table, types,
 };
 use crate::ir::Picture;
 use crate::model::{
@@ -51,7 +51,6 @@ pub(crate) fn skeleton(
     code.extend(dimension_path::skeleton(&outline));
     for function in &outline.functions {
         code.extend(results(&outline, function));
-        code.extend(sweeps::items(&outline, function));
         code.extend(table::items(&outline, function, &[]));
     }
     let follower = |outline: &Outline| match has_loop {

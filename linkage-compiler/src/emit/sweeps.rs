@@ -9,7 +9,7 @@ use quote::{format_ident, quote};
 
 use super::docs::doc;
 use super::outline::{Function, Outline, plain};
-use super::{attribute, literal, result_module};
+use super::{literal, result_module};
 use crate::model::Sweep;
 use crate::syntax::Word;
 
@@ -24,7 +24,7 @@ struct Sweeps<'a> {
 }
 
 /// All sweeps of a function; nothing for one without inputs.
-pub(super) fn items(outline: &Outline, function: &Function) -> TokenStream {
+pub(super) fn methods(outline: &Outline, function: &Function) -> TokenStream {
     if function.arguments.is_empty() {
         return TokenStream::new();
     }
@@ -42,17 +42,8 @@ pub(super) fn items(outline: &Outline, function: &Function) -> TokenStream {
     };
     let over_inputs = sweeps.over_inputs();
     let over_sets = (!outline.parameters.is_empty()).then(|| sweeps.over_sets());
-    let everywhere = &attribute::split(function.attributes).everywhere;
-    let (runtime, assembly) = (&outline.runtime, &outline.assembly);
-    quote! {
-        #runtime::if_alloc! {
-            #(#everywhere)*
-            impl<T: #runtime::Scalar> #assembly<T> {
-                #over_inputs
-                #over_sets
-            }
-        }
-    }
+    let runtime = &outline.runtime;
+    quote!(#runtime::if_alloc! { #over_inputs #over_sets })
 }
 
 impl Sweeps<'_> {
@@ -91,13 +82,13 @@ impl Sweeps<'_> {
         let sweep_slices = self.method(
             Sweep::Slices,
             quote!((#inputs, #slices: [&mut [T]; #width])),
-            quote!(#runtime::sweep_slices::<#result<T>, _, _, _, _, _, _>(#given, #slices);),
+            quote!(#runtime::Slices::<#result<T>>::sweep(#given, #slices);),
         );
         let parallel = self.method(
             Sweep::ParallelInto,
             quote! {
                 (#inputs, #columns: &mut #ty<T>)
-                where T: ::core::marker::Send + ::core::marker::Sync
+                where T: __p::Send + __p::Sync
             },
             quote!(#runtime::sweep_parallel_into(#given, &mut #columns.0);),
         );
@@ -144,7 +135,7 @@ impl Sweeps<'_> {
             Sweep::SetsParallelInto,
             quote! {
                 (#inputs, #columns: &mut #ty<T>)
-                where T: ::core::marker::Send + ::core::marker::Sync
+                where T: __p::Send + __p::Sync
             },
             quote!(#parallel_into(#given, &mut #columns.0);),
         );

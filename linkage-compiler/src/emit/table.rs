@@ -1,4 +1,5 @@
-//! Names and units of the columns that sweeps fill: the trait `Table`.
+//! Names and units of the columns that sweeps fill: the runtime's `Headed`, by which they are a
+//! `Table`.
 
 use proc_macro2::TokenStream;
 use quote::quote;
@@ -29,26 +30,19 @@ pub(super) fn items(outline: &Outline, function: &Function, columns: &[Column]) 
     let columns = columns
         .iter()
         .map(|description| column(outline, description));
-    let heading = outline.body(quote! {
-        const __HEADING: &#runtime::Heading = &#runtime::Heading {
-            function: #name,
-            arguments: &[#(#arguments),*],
-            columns: &[#(#columns),*],
-            picture: #picture,
-        };
-        __HEADING
-    });
-    let rows = outline.body(quote!(self.0.len()));
-    let values = outline.body(quote!(self.0.column(index)));
     let everywhere = &attribute::split(function.attributes).everywhere;
     quote! {
         #runtime::if_report! {
             #(#everywhere)*
             #[automatically_derived]
-            impl #runtime::Table for #ty<__p::f64> {
-                fn heading(&self) -> &'static #runtime::Heading { #heading }
-                fn rows(&self) -> __p::usize { #rows }
-                fn column(&self, index: __p::usize) -> &[__p::f64] { #values }
+            #[doc(hidden)]
+            impl #runtime::Headed for #ty<__p::f64> {
+                const HEADING: &'static #runtime::Heading = &#runtime::Heading {
+                    function: #name,
+                    arguments: &[#(#arguments),*],
+                    columns: &[#(#columns),*],
+                    picture: #picture,
+                };
             }
         }
     }

@@ -27,7 +27,7 @@ pub use followed_sets::{FollowedStages, followed_sweep_sets, followed_sweep_sets
 pub use kernel::Kernel;
 #[cfg(feature = "rayon")]
 pub use over_inputs::sweep_parallel_into;
-pub use over_inputs::{sweep, sweep_into, sweep_slices};
+pub use over_inputs::{Slices, sweep, sweep_into};
 #[cfg(feature = "rayon")]
 pub use over_sets::sweep_sets_parallel_into;
 pub use over_sets::{sweep_sets, sweep_sets_into};

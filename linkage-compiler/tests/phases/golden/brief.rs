@@ -256,7 +256,8 @@ fn unwrapped_member(member: ImplItem) -> Vec<ImplItem> {
     let members = member.mac.tokens;
     let block: ItemImpl = parse_quote!(impl Members { #members });
     let feature = feature(&member.mac.path);
-    let mut members = block.items;
+    let members = block.items.into_iter().flat_map(unwrapped_member);
+    let mut members: Vec<ImplItem> = members.collect();
     for member in &mut members {
         match member {
             ImplItem::Fn(function) => function.attrs.insert(0, parse_quote!(#[#feature])),

@@ -1,5 +1,7 @@
 //! The sweeps of a function over its arguments.
 
+use core::marker::PhantomData;
+
 use super::arguments::Inputs;
 use super::extended::Extended;
 use super::fill;
@@ -71,29 +73,35 @@ fn into_columns<T, C, S, R, const I: usize, const N: usize, const W: usize>(
     }
 }
 
-/// Works as [`sweep`], into slices.
-///
-/// # Panics
-///
-/// Panics if the arguments or slices differ in length.
-pub fn sweep_slices<R, T, C, S, const I: usize, const N: usize, const W: usize>(
-    data: &AssemblyData<C, S>,
-    arguments: [&[T]; I],
-    slices: [&mut [T]; W],
-) where
-    T: Scalar,
-    C: Copy,
-    R: Function<T, C, S, I, N, W>,
-{
-    let rows = rows::<T, C, S, R, I, N, W>(data, "_sweep_slices", arguments);
-    let core = AssemblyData::core(data);
-    let function = R::NAMES.function;
-    if const { T::REFINES } {
-        let kernel = OverInputs::<_, R::Refining>::new(core);
-        fill::fill_slices::<T, N, W>(function, &kernel, &rows, slices);
-    } else {
-        let kernel = OverInputs::<_, R::Called>::new(core);
-        fill::fill_slices::<T, N, W>(function, &kernel, &rows, slices);
+/// The function whose result is `R`, for sweeps into slices, which do not say that.
+#[derive(Debug)]
+pub struct Slices<R>(PhantomData<fn() -> R>);
+
+impl<R> Slices<R> {
+    /// Works as [`sweep`], into slices.
+    ///
+    /// # Panics
+    ///
+    /// Panics if the arguments or slices differ in length.
+    pub fn sweep<T, C, S, const I: usize, const N: usize, const W: usize>(
+        data: &AssemblyData<C, S>,
+        arguments: [&[T]; I],
+        slices: [&mut [T]; W],
+    ) where
+        T: Scalar,
+        C: Copy,
+        R: Function<T, C, S, I, N, W>,
+    {
+        let rows = rows::<T, C, S, R, I, N, W>(data, "_sweep_slices", arguments);
+        let core = AssemblyData::core(data);
+        let function = R::NAMES.function;
+        if const { T::REFINES } {
+            let kernel = OverInputs::<_, R::Refining>::new(core);
+            fill::fill_slices::<T, N, W>(function, &kernel, &rows, slices);
+        } else {
+            let kernel = OverInputs::<_, R::Called>::new(core);
+            fill::fill_slices::<T, N, W>(function, &kernel, &rows, slices);
+        }
     }
 }
 
