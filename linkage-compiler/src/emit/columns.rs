@@ -27,7 +27,7 @@ fn structure(outline: &Outline, function: &Function) -> TokenStream {
         "Many `{}` values, one column for each number.",
         plain(result)
     ));
-    let allow = attribute::allow();
+    let allow = result_module::allow(outline, function);
     let visibility = result_module::visibility(outline, function);
     let private = result_module::private(outline, function);
     let width = literal::index(function.width());

@@ -34,7 +34,7 @@ pub(super) fn result(outline: &Outline, function: &Function) -> TokenStream {
         .iter()
         .map(|field| field_item(outline, field));
     let marker = function.fields.is_empty().then(marker_field);
-    let allow = attribute::allow();
+    let allow = result_module::allow(outline, function);
     let visibility = result_module::visibility(outline, function);
     let item = type_at(result, result, &visibility, quote!(#(#fields)* #marker));
     quote! {

@@ -87,6 +87,14 @@ pub(super) fn with_imports(
     }
 }
 
+/// Silences lints about a type of a function, which its module does for all types within.
+pub(super) fn allow(outline: &Outline, function: &Function) -> TokenStream {
+    match module(outline, function) {
+        Some(_) => TokenStream::new(),
+        None => attribute::allow(),
+    }
+}
+
 /// The visibility of a type of a function, at the word of the user.
 pub(super) fn visibility(outline: &Outline, function: &Function) -> TokenStream {
     let visibility = with_span(function.visibility, function.result.span());
