@@ -328,6 +328,12 @@ struct Overview;
 #[doc(hidden)]
 pub mod __private {
     pub use crate::if_report;
+    pub use core::marker::{Send, Sync};
+    pub use core::option::Option;
+    pub use core::option::Option::{None, Some};
+    pub use core::primitive::{bool, f64, str, usize};
+    pub use core::result::Result;
+    pub use core::result::Result::{Err, Ok};
     pub use linkage_macros::mechanism;
     #[cfg(any(feature = "std", feature = "libm"))]
     pub use linkage_runtime::support::{
@@ -335,14 +341,14 @@ pub mod __private {
     };
     #[cfg(feature = "alloc")]
     pub use linkage_runtime::support::{
-        Arguments, Box, Inputs, OverInputs, OverSets, RowNumbersMut, SetStages, Sets, Vec,
-        assemblies, fill, fill_or_call, fill_results, fill_slices, in_row, one,
+        Arguments, Box, OverInputs, RowNumbersMut, SetStages, Slices, Vec, assemblies, fill, one,
+        sweep, sweep_into, sweep_sets, sweep_sets_into,
     };
     pub use linkage_runtime::support::{
-        AssemblyData as Sealed, Block, Dispatch as Single, FinishedRows, RowNumbers, RunStages,
-        Stage, StageRow, Staged, as_in_sweeps, close, derivative_of, dispatch as single, drawn,
-        explained, finite, inlined, margin, named, once, operations, parameter, rate, sensitivity,
-        value,
+        AssemblyData as Sealed, Block, Dispatch as Single, FinishedRows, Function, FunctionNames,
+        NoStates, RowNumbers, RunStages, Stage, StageRow, Staged, States, call, call_inlined,
+        close, derivative_of, dispatch as single, drawn, evaluate, explained, finite, margin,
+        named, operations, parameter, rate, sensitivity, value,
     };
     #[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]
     pub use linkage_runtime::support::{
@@ -353,22 +359,24 @@ pub mod __private {
     #[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]
     pub use linkage_runtime::support::{
         Correction, Coupled, CoupledGrid, CoupledGroup, CoupledInput, CoupledLoop, CoupledPrograms,
-        CoupledUnknown, Extended, Followed, InitialState as Start, Moving, Range, Residuals,
-        Standing, States, Step, Stop, Term, Terms, Variable, Wanted, fill_followed, follow,
-        initial_states as starts, no_initial_states as nothing, pairs, placed, put_corrected,
-        put_state, stepped,
+        CoupledUnknown, FollowedStages, InitialState as Start, Moving, Range, Residuals, Standing,
+        Step, Stop, Term, Terms, Variable, Wanted, follow, followed_sweep_sets,
+        followed_sweep_sets_into, initial_states as starts, no_initial_states as nothing, pairs,
+        placed, put_corrected, put_state, stepped,
     };
     #[cfg(feature = "rayon")]
-    pub use linkage_runtime::support::{fill_followed_parallel, fill_parallel};
+    pub use linkage_runtime::support::{
+        followed_sweep_sets_parallel_into, sweep_parallel_into, sweep_sets_parallel_into,
+    };
     pub use linkage_runtime::{
         AssemblyError, AssemblyMode, Axis, Dimensions, Drive, DriveOn, FUSED, Frame, FunctionInfo,
         Gear, Group, Guide, GuideOn, GuideShape, Heading, Input, JointShape, NotFollowed,
         Parameter, Picture, PictureColumns, PictureJoint, PictureLink, PicturePart, PicturePoint,
-        PlaneFrame, PointKind, Programs, ResultRow, Scalar, Structure, Table, Vector2, Vector3,
-        if_alloc, if_rayon,
+        PlaneFrame, PointKind, Programs, ResultRow, Scalar, Structure, Vector2, Vector3, if_alloc,
+        if_rayon,
     };
     #[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]
     pub use linkage_runtime::{Circuits, Cycle, RangeReport};
     #[cfg(feature = "alloc")]
-    pub use linkage_runtime::{Columns, ResultColumns};
+    pub use linkage_runtime::{Columns, Headed, ResultColumns};
 }

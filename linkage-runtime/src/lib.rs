@@ -76,5 +76,8 @@ pub use result_row::ResultRow;
 pub use scene::{Handle, Handles, Scene};
 pub use screw::Screw;
 pub use structure::{FunctionInfo, Group, Structure};
+#[cfg(feature = "alloc")]
+#[doc(hidden)]
+pub use table::Headed;
 pub use table::{Column, Heading, PictureColumns, Table};
 pub use vectors::{Vector2, Vector3};

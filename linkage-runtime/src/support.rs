@@ -10,6 +10,7 @@ mod continuation;
 #[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]
 mod coupled;
 mod dispatch;
+mod evaluation;
 #[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]
 mod follower;
 mod named;
@@ -47,7 +48,8 @@ pub use coupled::{
     initial_states_of, list_solutions, nearest_solution, no_initial_states, pairs, placed,
     prepared, prepared_over, prepared_over_in, put_state, stepped,
 };
-pub use dispatch::{Dispatch, as_in_sweeps, dispatch, inlined};
+pub use dispatch::{Dispatch, dispatch, inlined};
+pub use evaluation::{Function, FunctionNames, NoStates, States, call, call_inlined, evaluate};
 #[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]
 pub use follower::{Corrected, Standing, Stop, follow, put_corrected};
 #[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]
@@ -68,13 +70,13 @@ pub use stages::{
 };
 #[cfg(feature = "alloc")]
 pub use sweep::{
-    Arguments, Inputs, Kernel, OverInputs, OverSets, RowNumbersMut, SetStages, Sets, fill,
-    fill_or_call, fill_results, fill_slices, in_row,
+    Arguments, Kernel, OverInputs, RowNumbersMut, SetStages, Slices, fill, sweep, sweep_into,
+    sweep_sets, sweep_sets_into,
 };
 #[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]
-pub use sweep::{Extended, Followed, Moving, States, fill_followed};
+pub use sweep::{FollowedStages, Moving, followed_sweep_sets, followed_sweep_sets_into};
 #[cfg(feature = "rayon")]
-pub use sweep::{fill_followed_parallel, fill_parallel};
+pub use sweep::{followed_sweep_sets_parallel_into, sweep_parallel_into, sweep_sets_parallel_into};
 
 /// Its content if feature `alloc` is on, else nothing: generated code cannot see the features.
 #[cfg(feature = "alloc")]

@@ -1,5 +1,7 @@
 //! The meaning of the columns of a sweep: for everything that prints, plots or writes them.
 
+#[cfg(feature = "alloc")]
+use crate::result_columns::ResultColumns;
 use linkage_core::{Meaning, Picture};
 
 /// The results of a sweep with the names and units of their numbers: every generated type of
@@ -17,6 +19,32 @@ pub trait Table {
     /// # Panics
     /// If there is no such column.
     fn column(&self, index: usize) -> &[f64];
+}
+
+/// Columns of a function that have a heading: generated code states it.
+#[doc(hidden)]
+#[cfg(feature = "alloc")]
+pub trait Headed {
+    /// The heading.
+    const HEADING: &'static Heading;
+}
+
+#[cfg(feature = "alloc")]
+impl<C, R: 'static, const W: usize> Table for C
+where
+    C: Headed + core::ops::Deref<Target = ResultColumns<f64, R, W>>,
+{
+    fn heading(&self) -> &'static Heading {
+        C::HEADING
+    }
+
+    fn rows(&self) -> usize {
+        self.len()
+    }
+
+    fn column(&self, index: usize) -> &[f64] {
+        ResultColumns::column(self, index)
+    }
 }
 
 /// The columns of a function.

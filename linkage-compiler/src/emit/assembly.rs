@@ -15,15 +15,15 @@ use super::{
 };
 use crate::ir::CompiledMechanism;
 
-/// The assembly type and the public functions that make one.
+/// The public functions of the assembly type that make one and read it.
 pub(super) fn items(outline: &Outline) -> TokenStream {
-    let mut items = structure(outline);
-    items.extend(accessors(outline));
+    let mut items = accessors(outline);
     items.extend(constructors::items(outline));
     items
 }
 
-fn structure(outline: &Outline) -> TokenStream {
+/// The assembly type and its data.
+pub(super) fn structure(outline: &Outline) -> TokenStream {
     let Outline {
         runtime,
         visibility,
@@ -54,9 +54,11 @@ fn structure(outline: &Outline) -> TokenStream {
     let sealed = assembly_data::field(outline);
     let allow = attribute::allow();
     quote! {
+        // As visible as the mechanism: the runtime's traits of public results name it.
         #allow
         #derives
-        struct #core<T> {
+        #[doc(hidden)]
+        #visibility struct #core<T> {
             __mechanism: #name<T>,
             __modes: [#runtime::AssemblyMode; #modes],
             __turns: #runtime::Turns<T, #angles, #inputs>,
@@ -96,9 +98,7 @@ fn accessors(outline: &Outline) -> TokenStream {
         }
     });
     let served = free("served").then(|| coupled::served(outline));
-    let allow = attribute::allow();
     quote! {
-        #allow
         impl<T> #assembly<T> { #mechanism #modes #served }
     }
 }
@@ -131,26 +131,24 @@ pub(super) fn plumbing(outline: &Outline, unit: &CompiledMechanism) -> TokenStre
     let prepare_body = program(outline, &unit.prepare);
     let (prepare, preparing) = prepare::for_machine(outline, &types);
     let gaps_body = program(outline, &unit.gaps);
-    let allow = attribute::allow();
     quote! {
-        #allow
         impl<T: #runtime::Scalar> #assembly<T> {
             #assemble
 
-            fn __finite(__m: &#name<T>) -> ::core::result::Result<(), #runtime::AssemblyError> { #finite }
+            fn __finite(__m: &#name<T>) -> __p::Result<(), #runtime::AssemblyError> { #finite }
 
             fn __close(
                 __m: &#name<T>,
                 __modes: &#modes,
                 __prepared: &#prepared,
                 __x: #arguments,
-            ) -> ::core::result::Result<(), #runtime::AssemblyError> {
+            ) -> __p::Result<(), #runtime::AssemblyError> {
                 let __gaps = Self::__gaps::<{ #runtime::FUSED }>(__m, __modes, __prepared, __x);
                 #close
             }
 
             #[inline(always)]
-            fn __prepare<const __FUSED: ::core::primitive::bool>(
+            fn __prepare<const __FUSED: __p::bool>(
                 __m: &#name<T>,
                 __modes: &#modes,
                 __turns: &#turns,
@@ -163,7 +161,7 @@ pub(super) fn plumbing(outline: &Outline, unit: &CompiledMechanism) -> TokenStre
                 __turns: &#turns,
             ) -> #prepared { #prepare }
 
-            fn __gaps<const __FUSED: ::core::primitive::bool>(
+            fn __gaps<const __FUSED: __p::bool>(
                 __m: &#name<T>,
                 __modes: &#modes,
                 __prepared: &#prepared,
@@ -190,12 +188,12 @@ fn assemble(outline: &Outline, unit: &CompiledMechanism, types: &Types) -> Token
             __m: &#name<T>,
             __modes: #modes,
             __at: #inputs,
-        ) -> ::core::result::Result<Self, #runtime::AssemblyError> {
+        ) -> __p::Result<Self, #runtime::AssemblyError> {
             Self::__finite(__m)?;
             let __turns: #turns = #turning;
             let __prepared = Self::__prepare_for_machine(__m, &__modes, &__turns);
             Self::__close(__m, &__modes, &__prepared, __at)?;
-            ::core::result::Result::Ok(#made)
+            __p::Ok(#made)
         }
     }
 }

@@ -4,8 +4,8 @@ use linkage_core::Cycle;
 use proc_macro2::TokenStream;
 use quote::quote;
 
+use super::literal;
 use super::outline::Outline;
-use super::{attribute, literal};
 use crate::ir::{CompiledMechanism, Input};
 
 /// `circuits()`; nothing for a mechanism without groups or with another number of inputs than one.
@@ -47,10 +47,9 @@ fn method(outline: &Outline, body: TokenStream) -> TokenStream {
         assembly,
         ..
     } = outline;
-    let float = quote!(::core::primitive::f64);
-    let (allow, body) = (attribute::allow(), outline.body(body));
+    let float = quote!(__p::f64);
+    let body = outline.body(body);
     quote! {
-        #allow
         impl #name<#float> {
             /// Every assembly over the range of the input (a turn about the reference where an angle has none): how far each
             /// reaches, its turning points, and where its margin is smallest.
@@ -59,7 +58,7 @@ fn method(outline: &Outline, body: TokenStream) -> TokenStream {
             ///
             /// As `assemblies()`, if it fails at every position.
             #[inline]
-            pub fn circuits(&self) -> ::core::result::Result<
+            pub fn circuits(&self) -> __p::Result<
                 #runtime::Circuits<#assembly<#float>>, #runtime::AssemblyError,
             > {
                 #body

@@ -18,13 +18,13 @@ pub(super) fn finite(outline: &Outline, unit: &CompiledMechanism) -> TokenStream
         .flat_map(|group| &group.parameters)
         .peekable();
     if needed.peek().is_none() {
-        return quote!(::core::result::Result::Ok(()));
+        return quote!(__p::Ok(()));
     }
     let needed = needed.map(|&index| literal::index(index));
     quote! {
         #runtime::finite(
             #title,
-            #name::<::core::primitive::f64>::PARAMETERS,
+            #name::<__p::f64>::PARAMETERS,
             &[#(#needed),*],
             &__m.__values(),
         )
@@ -39,7 +39,7 @@ pub(super) fn close(outline: &Outline, unit: &CompiledMechanism) -> TokenStream 
     quote! {
         #runtime::close(
             #title,
-            #name::<::core::primitive::f64>::STRUCTURE.groups,
+            #name::<__p::f64>::STRUCTURE.groups,
             &[#(#units),*],
             &__gaps,
         )

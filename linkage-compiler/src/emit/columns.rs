@@ -9,14 +9,12 @@ use super::spanned::tuple_type_at;
 use super::{attribute, literal, result_module};
 use crate::model::Shape;
 
-/// The columns of a function; nothing for a function without inputs.
-pub(super) fn items(outline: &Outline, function: &Function) -> TokenStream {
-    if function.arguments.is_empty() {
-        return TokenStream::new();
+/// The type of the columns of a function; nothing for a function without inputs.
+pub(super) fn types(outline: &Outline, function: &Function) -> TokenStream {
+    match function.arguments.is_empty() {
+        true => TokenStream::new(),
+        false => structure(outline, function),
     }
-    let mut items = structure(outline, function);
-    items.extend(access(outline, function));
-    items
 }
 
 fn structure(outline: &Outline, function: &Function) -> TokenStream {
@@ -29,7 +27,7 @@ fn structure(outline: &Outline, function: &Function) -> TokenStream {
         "Many `{}` values, one column for each number.",
         plain(result)
     ));
-    let allow = attribute::allow();
+    let allow = result_module::allow(outline, function);
     let visibility = result_module::visibility(outline, function);
     let private = result_module::private(outline, function);
     let width = literal::index(function.width());
@@ -46,29 +44,20 @@ fn structure(outline: &Outline, function: &Function) -> TokenStream {
         #allow
         #[derive(::core::clone::Clone, ::core::cmp::PartialEq, ::core::fmt::Debug)]
         #item
-        #(#everywhere)*
-        #allow
-        #[automatically_derived]
-        impl<T> ::core::default::Default for #columns<T> {
-            fn default() -> Self { Self(::core::default::Default::default()) }
-        }
-        #(#everywhere)*
-        #allow
-        #[automatically_derived]
-        impl<T> ::core::ops::Deref for #columns<T> {
-            type Target = #inner;
-
-            fn deref(&self) -> &Self::Target { &self.0 }
-        }
     }
 }
 
-fn access(outline: &Outline, function: &Function) -> TokenStream {
+/// The functions of the columns; nothing for a function without inputs.
+pub(super) fn items(outline: &Outline, function: &Function) -> TokenStream {
+    if function.arguments.is_empty() {
+        return TokenStream::new();
+    }
     let runtime = &outline.runtime;
-    let Function { columns, .. } = function;
+    let columns = result_module::columns(outline, function);
+    let result = result_module::result(outline, function);
+    let width = literal::index(function.width());
     let everywhere = &attribute::split(function.attributes).everywhere;
     let fields = fields(outline, function);
-    let allow = attribute::allow();
     // A field of this name has the accessor.
     let is_taken = |field: &Field| plain(field.name) == "new";
     let constructor = (!function.fields.iter().any(is_taken)).then(|| {
@@ -79,11 +68,24 @@ fn access(outline: &Outline, function: &Function) -> TokenStream {
         }
     });
     quote! {
-        #(#everywhere)*
-        #allow
-        impl<T: #runtime::Scalar> #columns<T> {
-            #constructor
-            #fields
+        #runtime::if_alloc! {
+            #(#everywhere)*
+            #[automatically_derived]
+            impl<T> ::core::default::Default for #columns<T> {
+                fn default() -> Self { Self(::core::default::Default::default()) }
+            }
+            #(#everywhere)*
+            #[automatically_derived]
+            impl<T> ::core::ops::Deref for #columns<T> {
+                type Target = #runtime::ResultColumns<T, #result<T>, #width>;
+
+                fn deref(&self) -> &Self::Target { &self.0 }
+            }
+            #(#everywhere)*
+            impl<T: #runtime::Scalar> #columns<T> {
+                #constructor
+                #fields
+            }
         }
     }
 }

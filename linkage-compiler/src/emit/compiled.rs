@@ -5,7 +5,7 @@ use quote::quote;
 
 use super::array_types::Types;
 use super::outline::Outline;
-use super::{array_types, attribute, literal, survey};
+use super::{array_types, literal, survey};
 use crate::ir::CompiledMechanism;
 
 /// The traits; nothing for a mechanism without groups.
@@ -19,7 +19,7 @@ pub(super) fn items(outline: &Outline, unit: &CompiledMechanism) -> TokenStream 
         assembly,
         ..
     } = outline;
-    let float = quote!(::core::primitive::f64);
+    let float = quote!(__p::f64);
     let title = outline.title();
     let levels = survey::levels(outline, unit);
     let [parameters, inputs, count] = [
@@ -36,16 +36,14 @@ pub(super) fn items(outline: &Outline, unit: &CompiledMechanism) -> TokenStream 
         }
     };
     let one_input = (unit.inputs.len() == 1).then(|| one_input(outline, unit));
-    let allow = attribute::allow();
     quote! {
         #runtime::if_alloc! {
-            #allow
             impl #runtime::Compiled<#parameters, #inputs> for #name<#float> {
                 type Assembly = #assembly<#float>;
                 type Survey = [#float; #count];
                 type Programs = #programs;
 
-                const NAME: &'static ::core::primitive::str = #title;
+                const NAME: &'static __p::str = #title;
                 const INPUTS: &'static [#runtime::Input] = Self::INPUTS;
                 const GROUPS: &'static [#runtime::Group] = Self::STRUCTURE.groups;
                 const LEVELS: &'static [#runtime::Level] = &#levels;
@@ -88,7 +86,7 @@ fn coupled(outline: &Outline, unit: &CompiledMechanism) -> TokenStream {
     let Outline {
         runtime, assembly, ..
     } = outline;
-    let float = quote!(::core::primitive::f64);
+    let float = quote!(__p::f64);
     let programs = array_types::coupled_name(outline);
     let [starts, inputs] = [outline.starts.len(), outline.inputs.len()].map(literal::index);
     let [modes, lane] = copies(outline, unit);
@@ -97,14 +95,14 @@ fn coupled(outline: &Outline, unit: &CompiledMechanism) -> TokenStream {
             &self,
             __modes: &[#runtime::AssemblyMode],
             __starts: &[#runtime::Start],
-            __number: ::core::primitive::usize,
+            __number: __p::usize,
             __at: [#float; #inputs],
-        ) -> ::core::option::Option<#runtime::CoupledParts<#programs>> {
+        ) -> __p::Option<#runtime::CoupledParts<#programs>> {
             #modes
             #lane
             let __groups: &'static [#runtime::CoupledGroup; #starts] = &#assembly::<#float>::__GROUPS;
             let __made = #assembly::<#float>::__coupled(self, &__modes, __at, __number, &__lane);
-            ::core::option::Option::Some(__made.map(|__made| (&__groups[__number], __made)))
+            __p::Some(__made.map(|__made| (&__groups[__number], __made)))
         }
     }
 }
@@ -117,7 +115,7 @@ fn one_input(outline: &Outline, unit: &CompiledMechanism) -> TokenStream {
         assembly,
         ..
     } = outline;
-    let float = quote!(::core::primitive::f64);
+    let float = quote!(__p::f64);
     let parameters = literal::index(outline.scalar_fields().len());
     let counts = [outline.modes.len(), outline.starts.len()].map(literal::index);
     let unknowns = unit.surveyed.iter().map(|surveyed| {
@@ -140,16 +138,14 @@ fn one_input(outline: &Outline, unit: &CompiledMechanism) -> TokenStream {
             #assembly::__with_starts(self, __modes, [__at], ::core::slice::from_ref(&__lane))
         },
     };
-    let allow = attribute::allow();
     quote! {
-        #allow
         impl #runtime::OneInput<#parameters> for #name<#float> {
             const UNKNOWNS: &'static [#runtime::SurveyedUnknown] = &[#(#unknowns),*];
-            const COUNTS: [::core::primitive::usize; 2] = [#(#counts),*];
+            const COUNTS: [__p::usize; 2] = [#(#counts),*];
 
             fn bounds(
                 __assembly: &#assembly<#float>,
-                __number: ::core::primitive::usize,
+                __number: __p::usize,
             ) -> #runtime::Bounds<'static> {
                 let __bounds = #assembly::<#runtime::Enclosure>::__without_starts(__assembly);
                 #runtime::Box::new(move |__x| __bounds.__survey::<{ #runtime::FUSED }>([__x])[__number])
@@ -159,13 +155,13 @@ fn one_input(outline: &Outline, unit: &CompiledMechanism) -> TokenStream {
                 &self,
                 __chosen: &#runtime::Chosen,
                 __at: #float,
-            ) -> ::core::result::Result<#assembly<#float>, #runtime::AssemblyError> {
+            ) -> __p::Result<#assembly<#float>, #runtime::AssemblyError> {
                 let __modes = &__chosen.modes;
                 #modes
                 #assembled
             }
 
-            fn check(&self, __at: #float) -> ::core::result::Result<(), #runtime::AssemblyError> {
+            fn check(&self, __at: #float) -> __p::Result<(), #runtime::AssemblyError> {
                 self.assemblies_at(__at).map(|_| ())
             }
         }

@@ -3,8 +3,8 @@
 use proc_macro2::TokenStream;
 use quote::quote;
 
+use super::literal;
 use super::outline::{Outline, plain};
-use super::{attribute, literal};
 use crate::model::Sweep;
 use crate::syntax::Word;
 
@@ -51,7 +51,7 @@ pub(super) fn items(outline: &Outline) -> TokenStream {
     };
     let assemblies = enumerate(quote!([#(#references),*]));
     let error = quote!(#runtime::AssemblyError);
-    let list = quote!(::core::result::Result<#runtime::Vec<#assembly<T>>, #error>);
+    let list = quote!(__p::Result<#runtime::Vec<#assembly<T>>, #error>);
     let from_estimates = outline.starts.iter().any(|start| start.followed);
     let from_estimates = from_estimates.then(|| {
         let doc = "\nIt is not complete: of groups whose solutions cannot be listed (`STRUCTURE` says which), only the assembly is in it to which \
@@ -73,9 +73,7 @@ pub(super) fn items(outline: &Outline) -> TokenStream {
         }
     });
     let aliases = aliases(outline);
-    let allow = attribute::allow();
     quote! {
-        #allow
         impl<T: #runtime::Scalar> #name<T> {
             /// Closes the loops at the reference inputs in the assembly mode that the start estimates choose, and
             /// computes what depends on the dimensions alone.
@@ -85,10 +83,9 @@ pub(super) fn items(outline: &Outline) -> TokenStream {
             /// Says which loop cannot close and by how much it misses, or has no finite solution, or which angle cannot be
             /// followed through the range.
             #(#[doc(alias = #aliases)])*
-            pub fn assemble(&self) -> ::core::result::Result<#assembly<T>, #error> { #assemble }
+            pub fn assemble(&self) -> __p::Result<#assembly<T>, #error> { #assemble }
         }
         #runtime::if_alloc! {
-            #allow
             impl<T: #runtime::Scalar> #name<T> {
                 /// Every real assembly at the reference inputs, each ready to evaluate; the one that the start
                 /// estimates choose comes first if it is real. The list is empty if no assembly is.
@@ -110,7 +107,7 @@ pub(super) fn explained(outline: &Outline, result: &TokenStream) -> TokenStream 
     let Outline { runtime, name, .. } = outline;
     quote! {
         #runtime::explained(
-            #result, #name::<::core::primitive::f64>::PARAMETERS, || self.__values(),
+            #result, #name::<__p::f64>::PARAMETERS, || self.__values(),
         )
     }
 }

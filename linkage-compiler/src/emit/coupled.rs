@@ -18,12 +18,10 @@ use super::array_types::{Types, start_type, starts_type};
 use super::body::Runs;
 use super::load::{Places, loader};
 use super::outline::Outline;
-use super::{assembly_data, attribute, body, literal};
+use super::{assembly_data, body, literal};
 use crate::ir::CompiledMechanism;
 
 pub(super) use assemble::assemble;
-pub(super) use moving::followed;
-pub(super) use states::{states_name, with_states};
 
 /// `served()`; nothing where no group is prepared over several inputs.
 pub(super) fn served(outline: &Outline) -> TokenStream {
@@ -34,14 +32,14 @@ pub(super) fn served(outline: &Outline) -> TokenStream {
         let number = literal::index(number);
         quote!(#prepared.#number.served())
     });
-    let share = shares.reduce(|least, share| quote!(::core::primitive::f64::min(#least, #share)));
+    let share = shares.reduce(|least, share| quote!(__p::f64::min(#least, #share)));
     share.map_or_else(TokenStream::new, |share| {
         quote! {
             /// The share of the ranges of the inputs in which groups without a closed form are assembled, from 0 to 1: elsewhere results are
             /// NaN, because the links do not reach each other there or a dead point is near. Measured on a lattice of positions; of several
             /// groups, and lanes of the scalar, the one that serves least counts.
             #[must_use]
-            pub fn served(&self) -> ::core::primitive::f64 { #share }
+            pub fn served(&self) -> __p::f64 { #share }
         }
     })
 }
@@ -80,9 +78,7 @@ fn lookups(outline: &Outline) -> TokenStream {
         .functions
         .iter()
         .map(|function| states::items(outline, function));
-    let allow = attribute::allow();
     quote! {
-        #allow
         impl<T: #runtime::Scalar> #assembly<T> {
             fn __starts(__lanes: &[[#runtime::Start; #count]]) -> #starts { (#(#made,)*) }
 
@@ -132,7 +128,7 @@ fn programs(outline: &Outline, unit: &CompiledMechanism) -> TokenStream {
         let inline = (kind == "correct").then(|| quote!(#[inline(always)]));
         quote! {
             #inline
-            fn #method<const __FUSED: ::core::primitive::bool>(
+            fn #method<const __FUSED: __p::bool>(
                 __m: &#name<T>,
                 __modes: &#modes,
                 __prepared: &#prepared,
@@ -154,9 +150,7 @@ fn programs(outline: &Outline, unit: &CompiledMechanism) -> TokenStream {
         let placed = program("placed", number, &group.placed);
         quote!(#system #correct #placed)
     });
-    let allow = attribute::allow();
     quote! {
-        #allow
         impl<T: #runtime::Scalar> #assembly<T> { #(#methods)* }
     }
 }

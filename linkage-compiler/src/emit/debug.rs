@@ -4,20 +4,25 @@
 use proc_macro2::TokenStream;
 use quote::quote;
 
-use super::attribute;
 use super::outline::{Field, Function, Outline, plain};
+use super::{attribute, result_module};
 use crate::model::Shape;
+
+/// False where a derive shows the same, or where the user derives it.
+pub(super) fn is_shown(function: &Function) -> bool {
+    let split = attribute::split(function.attributes);
+    let derived = attribute::derived(split.result.iter().copied());
+    derived.iter().all(|name| name != "Debug") && function.fields.iter().any(has_vectors)
+}
 
 /// Nothing where a derive shows the same, or where the user derives it.
 pub(super) fn shown(outline: &Outline, function: &Function) -> Option<TokenStream> {
-    let split = attribute::split(function.attributes);
-    let derived = attribute::derived(split.result.iter().copied());
-    if derived.iter().any(|name| name == "Debug") || !function.fields.iter().any(has_vectors) {
+    if !is_shown(function) {
         return None;
     }
     let runtime = &outline.runtime;
-    let everywhere = &split.everywhere;
-    let result = function.result;
+    let everywhere = &attribute::split(function.attributes).everywhere;
+    let result = result_module::result(outline, function);
     let title = plain(function.result);
     let fields = function.fields.iter().map(|field| {
         let (name, title) = (field.name, plain(field.name));
@@ -26,10 +31,8 @@ pub(super) fn shown(outline: &Outline, function: &Function) -> Option<TokenStrea
             false => quote!(.field(#title, &self.#name)),
         }
     });
-    let allow = attribute::allow();
     Some(quote! {
         #(#everywhere)*
-        #allow
         #[automatically_derived]
         impl<T: ::core::fmt::Debug> ::core::fmt::Debug for #result<T> {
             fn fmt(&self, __f: &mut ::core::fmt::Formatter<'_>) -> ::core::fmt::Result {

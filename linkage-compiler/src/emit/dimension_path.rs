@@ -6,7 +6,7 @@ use quote::quote;
 use super::constructors::explained;
 use super::load::Places;
 use super::outline::Outline;
-use super::{assembly_data, attribute, literal};
+use super::{assembly_data, literal};
 use crate::ir::CompiledMechanism;
 
 /// `assemble_from`.
@@ -26,7 +26,7 @@ pub(super) fn items(outline: &Outline, unit: &CompiledMechanism) -> TokenStream 
         return method(outline, quote!(#assembly::__assemble(self, #modes, #at)));
     }
     let path = path(outline, &reference);
-    let float = quote!(::core::primitive::f64);
+    let float = quote!(__p::f64);
     let explained = |result: TokenStream| explained(outline, &result);
     let body = match outline.starts.is_empty() {
         true => {
@@ -104,10 +104,9 @@ fn method(outline: &Outline, body: TokenStream) -> TokenStream {
         assembly,
         ..
     } = outline;
-    let (allow, body) = (attribute::allow(), outline.body(body));
+    let body = outline.body(body);
     quote! {
         #runtime::if_alloc! {
-            #allow
             impl<T: #runtime::Scalar> #name<T> {
                 /// These dimensions in the assembly of a mechanism with others: it is followed along the straight way from those to these, at
                 /// the reference inputs, in steps too small to leave it. Each lane of `T` has a way of its own; it is followed in `f64`, on
@@ -119,7 +118,7 @@ fn method(outline: &Outline, body: TokenStream) -> TokenStream {
                 pub fn assemble_from(
                     &self,
                     __assembly: &#assembly<T>,
-                ) -> ::core::result::Result<#assembly<T>, #runtime::AssemblyError> {
+                ) -> __p::Result<#assembly<T>, #runtime::AssemblyError> {
                     #body
                 }
             }

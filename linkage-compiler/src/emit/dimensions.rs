@@ -4,7 +4,7 @@ use proc_macro2::TokenStream;
 use quote::quote;
 
 use super::outline::Outline;
-use super::{attribute, literal, mechanism};
+use super::{literal, mechanism};
 
 /// The trait `Dimensions`.
 pub(super) fn items(outline: &Outline) -> TokenStream {
@@ -18,18 +18,15 @@ pub(super) fn items(outline: &Outline) -> TokenStream {
     let from_values = outline.body(mechanism::from_scalars(outline, &mut scalars));
     let values = outline.body(quote!([#(self.#fields),*]));
     let of_trait = outline.body(quote!(self.__values()));
-    let allow = attribute::allow();
     quote! {
-        #allow
         #[automatically_derived]
-        impl #runtime::Dimensions<#count> for #name<::core::primitive::f64> {
+        impl #runtime::Dimensions<#count> for #name<__p::f64> {
             const PARAMETERS: &'static [#runtime::Parameter] = Self::PARAMETERS;
 
-            fn from_values(__values: &[::core::primitive::f64; #count]) -> Self { #from_values }
+            fn from_values(__values: &[__p::f64; #count]) -> Self { #from_values }
 
-            fn values(&self) -> [::core::primitive::f64; #count] { #of_trait }
+            fn values(&self) -> [__p::f64; #count] { #of_trait }
         }
-        #allow
         impl<T: #runtime::Scalar> #name<T> {
             /// The scalar dimensions in the order of `PARAMETERS`.
             #[inline(always)]

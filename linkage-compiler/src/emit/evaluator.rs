@@ -11,7 +11,7 @@ use super::outline::{Field, Function, Outline, plain};
 use super::shape::field_scalars;
 use super::spanned::type_at;
 use super::stages::Version;
-use super::{assembly_data, attribute, coupled, debug, literal, result_module, stages};
+use super::{array_types, attribute, debug, literal, result_module, stages};
 
 /// The result type.
 pub(super) fn result(outline: &Outline, function: &Function) -> TokenStream {
@@ -19,8 +19,10 @@ pub(super) fn result(outline: &Outline, function: &Function) -> TokenStream {
     let split = attribute::split(function.attributes);
     let everywhere = &split.everywhere;
     let user_derives = split.result.iter().map(|a| &a.tokens);
-    let shown = debug::shown(outline, function);
-    let ours: &[&str] = if shown.is_some() { &["Debug"] } else { &[] };
+    let ours: &[&str] = match debug::is_shown(function) {
+        true => &["Debug"],
+        false => &[],
+    };
     let derives = attribute::derives(split.result.iter().copied(), ours);
     let head = doc(&format!(
         "What `{}::{}` returns.",
@@ -32,7 +34,7 @@ pub(super) fn result(outline: &Outline, function: &Function) -> TokenStream {
         .iter()
         .map(|field| field_item(outline, field));
     let marker = function.fields.is_empty().then(marker_field);
-    let allow = attribute::allow();
+    let allow = result_module::allow(outline, function);
     let visibility = result_module::visibility(outline, function);
     let item = type_at(result, result, &visibility, quote!(#(#fields)* #marker));
     quote! {
@@ -42,7 +44,6 @@ pub(super) fn result(outline: &Outline, function: &Function) -> TokenStream {
         #derives
         #(#user_derives)*
         #item
-        #shown
     }
 }
 
@@ -61,9 +62,7 @@ fn field_item(outline: &Outline, field: &Field) -> TokenStream {
 
 /// The public method.
 pub(super) fn method(outline: &Outline, function: &Function) -> TokenStream {
-    let Outline {
-        runtime, assembly, ..
-    } = outline;
+    let runtime = &outline.runtime;
     let Function {
         visibility,
         name,
@@ -71,7 +70,6 @@ pub(super) fn method(outline: &Outline, function: &Function) -> TokenStream {
         ..
     } = function;
     let split = attribute::split(function.attributes);
-    let everywhere = &split.everywhere;
     let names: Vec<_> = function
         .fields
         .iter()
@@ -87,74 +85,57 @@ pub(super) fn method(outline: &Outline, function: &Function) -> TokenStream {
     let must_use = (!attribute::has(function.attributes, "must_use")).then(|| quote!(#[must_use]));
     let inline = (!attribute::has(function.attributes, "inline")).then(|| quote!(#[inline]));
     let result = result_module::result(outline, function);
-    let inputs = match function.states.is_empty() {
-        true => quote!([#(#arguments),*]),
-        false => coupled::with_states(outline, function),
-    };
-    let core = assembly_data::core(outline, &quote!(self));
-    let body = outline.body(value(outline, function, &inputs, &core, Version::Called));
-    let count = literal::index(arguments.len());
     let call = outline.body(match function.chooses {
-        true => quote!(#runtime::single(self, [#(#arguments),*])),
-        false => quote!(#runtime::inlined(self, [#(#arguments),*])),
+        true => quote!(#runtime::call(&self.__sealed, [#(#arguments),*])),
+        false => quote!(#runtime::call_inlined(&self.__sealed, [#(#arguments),*])),
     });
-    let allow = attribute::allow();
     quote! {
-        #(#everywhere)*
-        #allow
-        impl<T: #runtime::Scalar> #assembly<T> {
-            #head
-            #must_use
-            #inline
-            #visibility fn #name(&self, #(#arguments: T),*) -> #result<T> { #call }
-        }
-
-        #(#everywhere)*
-        #allow
-        #[doc(hidden)]
-        impl<T: #runtime::Scalar> #runtime::Single<T, #result<T>, #count> for #assembly<T> {
-            #[inline(always)]
-            fn at<const __FUSED: ::core::primitive::bool>(
-                &self,
-                [#(#arguments),*]: [T; #count],
-            ) -> #result<T> { #body }
-        }
+        #head
+        #must_use
+        #inline
+        #visibility fn #name(&self, #(#arguments: T),*) -> #result<T> { #call }
     }
 }
 
-/// The value that the method returns: the results of a program of `core` at these arguments, which
-/// are inputs and then states. Scalars that refine the prepared values run another program than
-/// scalars whose digits the prepared values have.
-pub(super) fn value(
-    outline: &Outline,
-    function: &Function,
-    arguments: &TokenStream,
-    core: &TokenStream,
-    plain: Version,
-) -> TokenStream {
-    let refining = Version::refining(function);
-    let runtime = &outline.runtime;
-    let data = &outline.core;
-    let count = literal::index(Places::of_function(outline, function).width());
-    let width = literal::index(function.width());
-    let [refined, row] = [refining, plain].map(|version| {
-        let stages = stages::name(outline, function, version);
-        quote!(#runtime::once::<#stages, T, #data<T>, __FUSED, #count, #width>(#core, __x))
-    });
-    let row = match refining == plain {
-        true => row,
-        false => quote!(if T::REFINES { #refined } else { #row }),
+/// The runtime's `Function`: the programs of calls and sweeps.
+pub(super) fn programs(outline: &Outline, function: &Function) -> TokenStream {
+    let Outline { runtime, core, .. } = outline;
+    let everywhere = &attribute::split(function.attributes).everywhere;
+    let result = result_module::result(outline, function);
+    let starts = array_types::starts_type(outline);
+    let arguments = function.arguments.iter().map(|argument| plain(argument));
+    let title = plain(function.name);
+    let [called, refining] = [Version::Called, Version::refining(function)]
+        .map(|version| stages::name(outline, function, version));
+    let states = match function.states.is_empty() {
+        true => quote!(#runtime::NoStates),
+        false => called.to_token_stream(),
     };
+    let [inputs, count, width] = [
+        function.arguments.len(),
+        Places::of_function(outline, function).width(),
+        function.width(),
+    ]
+    .map(literal::index);
     quote! {
-        let __x = #arguments;
-        #runtime::ResultRow::from_row(#row)
+        #(#everywhere)*
+        #[doc(hidden)]
+        impl<T: #runtime::Scalar> #runtime::Function<T, #core<T>, #starts, #inputs, #count, #width> for #result<T> {
+            type Called = #called;
+            type Refining = #refining;
+            type States = #states;
+            const NAMES: &'static #runtime::FunctionNames<#inputs> = &#runtime::FunctionNames {
+                function: #title,
+                arguments: [#(#arguments),*],
+            };
+        }
     }
 }
 
 /// The runtime's `ResultRow` of the result type.
 pub(super) fn result_row(outline: &Outline, function: &Function) -> TokenStream {
     let runtime = &outline.runtime;
-    let result = function.result;
+    let result = result_module::result(outline, function);
     let everywhere = &attribute::split(function.attributes).everywhere;
     let width = literal::index(function.width());
     let row = entries("__row", function.width());
@@ -165,10 +146,8 @@ pub(super) fn result_row(outline: &Outline, function: &Function) -> TokenStream 
         field_scalars(&field.shape, &quote!(self.#name))
     });
     let to_row = outline.body(quote!([#(#scalars),*]));
-    let allow = attribute::allow();
     quote! {
         #(#everywhere)*
-        #allow
         impl<T: #runtime::Scalar> #runtime::ResultRow<T, #width> for #result<T> {
             #[inline(always)]
             fn from_row([#(#row),*]: [T; #width]) -> Self { #from_row }

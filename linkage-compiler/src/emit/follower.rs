@@ -17,11 +17,22 @@ use super::stages::Version;
 use super::{assembly_data, attribute, literal, stages};
 use functions::{method, single_of};
 
-/// The follower of a mechanism of which a coupled group depends on several inputs: tables over one
-/// input need none.
+/// True if a coupled group depends on several inputs: tables over one input need no follower.
+fn has_follower(outline: &Outline) -> bool {
+    outline.starts.iter().any(|start| start.inputs.len() > 1)
+}
+
+/// The type of the follower of a mechanism that has one.
+pub(super) fn types(outline: &Outline) -> TokenStream {
+    match has_follower(outline) {
+        true => structure(outline),
+        false => TokenStream::new(),
+    }
+}
+
+/// The functions of the follower of a mechanism that has one.
 pub(super) fn items(outline: &Outline, unit: &CompiledMechanism) -> TokenStream {
-    let several = outline.starts.iter().any(|start| start.inputs.len() > 1);
-    if !several {
+    if !has_follower(outline) {
         return TokenStream::new();
     }
     let mut items = shared(outline);
@@ -40,7 +51,16 @@ pub(super) fn items(outline: &Outline, unit: &CompiledMechanism) -> TokenStream 
     items
 }
 
-/// The items of a mechanism with mistakes: it may have a follower if it has several inputs.
+/// The type of the follower of a mechanism with mistakes: it may have one if it has several inputs.
+pub(super) fn skeleton_types(outline: &Outline) -> TokenStream {
+    if outline.inputs.len() < 2 || is_taken(outline) {
+        return TokenStream::new();
+    }
+    let (runtime, structure) = (&outline.runtime, structure(outline));
+    quote!(#runtime::if_alloc! { #structure })
+}
+
+/// The functions of the follower of a mechanism with mistakes.
 pub(super) fn skeleton(outline: &Outline) -> TokenStream {
     if outline.inputs.len() < 2 || is_taken(outline) {
         return TokenStream::new();
@@ -61,10 +81,9 @@ fn is_taken(outline: &Outline) -> bool {
         .any(|name| METHODS_OF_FOLLOWER.contains(&name.as_str()))
 }
 
-/// The type, its construction, and its items besides the functions.
+/// The construction of the type, and its items besides the functions.
 fn shared(outline: &Outline) -> TokenStream {
-    let mut items = structure(outline);
-    items.extend(constructor(outline));
+    let mut items = constructor(outline);
     items.extend(follow(outline));
     items
 }
@@ -106,18 +125,16 @@ fn constructor(outline: &Outline) -> TokenStream {
         let __x = Self::__extend(#starts, [#(#inputs),*]);
         let mut __follower = #follower { __sealed: #runtime::Sealed::new(self, __x) };
         __follower.follow(#(#inputs),*)?;
-        ::core::result::Result::Ok(__follower)
+        __p::Ok(__follower)
     });
-    let allow = attribute::allow();
     quote! {
-        #allow
         impl<T: #runtime::Scalar> #assembly<T> {
             /// A follower that stands at these inputs, where the assembly must serve: at the reference inputs, if no range is declared.
             ///
             /// # Errors
             ///
             /// Where the assembly does not serve.
-            pub fn follower(&self, #(#inputs: T),*) -> ::core::result::Result<#follower<'_, T>, #runtime::NotFollowed> {
+            pub fn follower(&self, #(#inputs: T),*) -> __p::Result<#follower<'_, T>, #runtime::NotFollowed> {
                 #body
             }
         }
@@ -137,14 +154,14 @@ fn follow(outline: &Outline) -> TokenStream {
     let positions = (0..inputs.len()).map(literal::index);
     let follow = quote! {
         match #runtime::single(&*self, [#(#inputs),*]) {
-            ::core::result::Result::Ok(__x) => {
+            __p::Ok(__x) => {
                 self.__sealed = #runtime::Sealed::new(self.assembly(), __x);
-                ::core::result::Result::Ok(())
+                __p::Ok(())
             }
-            ::core::result::Result::Err(__stop) => {
+            __p::Err(__stop) => {
                 let __group = Self::__STANDING[__stop.number].group;
-                let __structure = #mechanism::<::core::primitive::f64>::STRUCTURE;
-                ::core::result::Result::Err(#runtime::NotFollowed::new(
+                let __structure = #mechanism::<__p::f64>::STRUCTURE;
+                __p::Err(#runtime::NotFollowed::new(
                     #title, __group, &__structure.groups[__group], __stop.share, __stop.why,
                 ))
             }
@@ -157,16 +174,14 @@ fn follow(outline: &Outline) -> TokenStream {
     };
     let [follow, own_assembly, own_inputs] =
         [follow, own_assembly, own_inputs].map(|body| outline.body(body));
-    let allow = attribute::allow();
     quote! {
-        #allow
         impl<'a, T: #runtime::Scalar> #follower<'a, T> {
             /// Goes straight to other inputs, in steps that are certain to stay on the assembly: a single one if the way is short.
             ///
             /// # Errors
             ///
             /// Where no step leads any further, as at a dead point; the follower stays where it was.
-            pub fn follow(&mut self, #(#inputs: T),*) -> ::core::result::Result<(), #runtime::NotFollowed> { #follow }
+            pub fn follow(&mut self, #(#inputs: T),*) -> __p::Result<(), #runtime::NotFollowed> { #follow }
 
             /// The assembly that is followed.
             #[must_use]
@@ -216,23 +231,20 @@ fn single(outline: &Outline, unit: &CompiledMechanism) -> TokenStream {
     });
     let core = assembly_data::core(outline, &quote!(__assembly));
     let arguments = Types::new(outline, unit).arguments;
-    let allow = attribute::allow();
     quote! {
-        #allow
         impl<'a, T: #runtime::Scalar> #follower<'a, T> {
             const __STANDING: &'static [#runtime::Standing] = &[#(#standing),*];
         }
 
-        #allow
         #[doc(hidden)]
-        impl<'a, T: #runtime::Scalar> #runtime::Single<T, ::core::result::Result<#arguments, #runtime::Stop>, #count>
+        impl<'a, T: #runtime::Scalar> #runtime::Single<T, __p::Result<#arguments, #runtime::Stop>, #count>
             for #follower<'a, T>
         {
             #[inline(always)]
-            fn at<const __FUSED: ::core::primitive::bool>(
+            fn at<const __FUSED: __p::bool>(
                 &self,
                 __to: [T; #count],
-            ) -> ::core::result::Result<#arguments, #runtime::Stop> {
+            ) -> __p::Result<#arguments, #runtime::Stop> {
                 let __assembly = self.assembly();
                 let __core = #core;
                 let __from = #runtime::Sealed::starts(&self.__sealed);

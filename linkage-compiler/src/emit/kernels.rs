@@ -6,6 +6,7 @@ use linkage_symbolic::program::Program;
 use proc_macro2::TokenStream;
 use quote::quote;
 
+use super::load::Places;
 use super::outline::{Function, Outline};
 use super::slots::Slots;
 use super::stages::Version;
@@ -41,16 +42,18 @@ pub(super) fn items(
     });
     let prepared = slots.all(outline);
     let count = literal::index(slots.count());
-    let allow = attribute::allow();
+    let dimensions = outline.scalar_fields().len();
+    let arguments = Places::of_function(outline, function).width();
+    let widths =
+        [0, function.arguments.len(), arguments].map(|width| literal::index(dimensions + width));
     quote! {
         #runtime::if_alloc! {
             #(#everywhere)*
-            #allow
-            impl<T: #runtime::Scalar> #runtime::SetStages<T, #core<T>> for #marker {
-                type Prepared<const __BLOCK: ::core::primitive::usize> = #runtime::Block<T, __BLOCK, #count>;
+            impl<T: #runtime::Scalar> #runtime::SetStages<T, #core<T>, #(#widths),*> for #marker {
+                type Prepared<const __BLOCK: __p::usize> = #runtime::Block<T, __BLOCK, #count>;
 
                 #[inline(always)]
-                fn prepare<const __FUSED: ::core::primitive::bool>(
+                fn prepare<const __FUSED: __p::bool>(
                     __core: &#core<T>,
                     __dimensions: &impl #runtime::RowNumbers<T>,
                     __slots: &mut impl #runtime::RowNumbersMut<T>,

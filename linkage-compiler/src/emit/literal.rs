@@ -9,13 +9,13 @@ use quote::quote;
 /// where that is shorter, parentheses around a negative number so that nothing binds to its sign.
 pub(super) fn float(x: f64) -> TokenStream {
     if x.is_nan() {
-        return quote!(::core::primitive::f64::NAN);
+        return quote!(__p::f64::NAN);
     }
     if x.is_infinite() {
         return if x > 0.0 {
-            quote!(::core::primitive::f64::INFINITY)
+            quote!(__p::f64::INFINITY)
         } else {
-            quote!(::core::primitive::f64::NEG_INFINITY)
+            quote!(__p::f64::NEG_INFINITY)
         };
     }
     let text = format!("{:?}f64", x.abs());

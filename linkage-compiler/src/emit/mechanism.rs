@@ -10,15 +10,15 @@ use super::outline::{Component, Outline, Parameter, plain};
 use super::{attribute, literal};
 use crate::ir::in_degrees;
 
-/// The struct, its default and its conversions.
+/// The default of the struct and its conversions.
 pub(super) fn items(outline: &Outline) -> TokenStream {
-    let mut items = structure(outline);
-    items.extend(default(outline));
+    let mut items = default(outline);
     items.extend(conversions(outline));
     items
 }
 
-fn structure(outline: &Outline) -> TokenStream {
+/// The struct.
+pub(super) fn structure(outline: &Outline) -> TokenStream {
     let Outline {
         visibility,
         name,
@@ -111,11 +111,9 @@ fn default(outline: &Outline) -> TokenStream {
     });
     let marker = outline.parameters.is_empty().then(marker_value);
     let body = outline.body(quote!(Self { #(#fields)* #marker }));
-    let allow = attribute::allow();
     quote! {
-        #allow
         #[automatically_derived]
-        impl ::core::default::Default for #name<::core::primitive::f64> {
+        impl ::core::default::Default for #name<__p::f64> {
             fn default() -> Self { #body }
         }
     }
@@ -135,22 +133,18 @@ fn conversions(outline: &Outline) -> TokenStream {
         quote!(__row.number(#index))
     });
     let of_row = outline.body(from_scalars(outline, &mut scalars));
-    let allow = attribute::allow();
     quote! {
-        #allow
-        impl #name<::core::primitive::f64> {
+        impl #name<__p::f64> {
             /// The same dimensions in another scalar type: single precision, lanes, dual numbers.
             #[must_use]
             pub fn cast<#other: #runtime::Scalar>(&self) -> #name<#other> { #cast }
         }
-        #allow
         impl<T: #runtime::Scalar> #name<T> {
             /// The dimensions of one lane.
-            fn __lane(&self, __lane: ::core::primitive::usize) -> #name<::core::primitive::f64> { #lane }
+            fn __lane(&self, __lane: __p::usize) -> #name<__p::f64> { #lane }
         }
         // For sweeps over mechanisms.
         #runtime::if_alloc! {
-            #allow
             impl<T: #runtime::Scalar> #name<T> {
                 /// The dimensions, which are the first numbers of a row.
                 #[inline(always)]
@@ -201,7 +195,7 @@ pub(super) fn constants(outline: &Outline, structure: &TokenStream) -> TokenStre
                 "Index of `{name}` in `PARAMETERS` and in the arrays of `sensitivity`."
             ));
             let index = literal::index(index);
-            quote!(#doc pub const #constant: ::core::primitive::usize = #index;)
+            quote!(#doc pub const #constant: __p::usize = #index;)
         });
     let inputs = outline.inputs.iter().map(|input| {
         let (name, unit) = (plain(input.name), &input.unit);
@@ -209,16 +203,14 @@ pub(super) fn constants(outline: &Outline, structure: &TokenStream) -> TokenStre
         let range = match input.range {
             Some((low, high)) => {
                 let (low, high) = (literal::float(low), literal::float(high));
-                quote!(::core::option::Option::Some((#low, #high)))
+                quote!(__p::Some((#low, #high)))
             }
-            None => quote!(::core::option::Option::None),
+            None => quote!(__p::None),
         };
         quote!(#runtime::Input { name: #name, unit: #unit, reference: #reference, range: #range })
     });
-    let allow = attribute::allow();
     quote! {
-        #allow
-        impl #name<::core::primitive::f64> {
+        impl #name<__p::f64> {
             /// The inputs in declaration order, with their reference positions and ranges.
             pub const INPUTS: &'static [#runtime::Input] = &[#(#inputs),*];
             /// The scalar parameters in declaration order, with the defaults and tolerances of the declaration, in

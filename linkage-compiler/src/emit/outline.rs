@@ -11,8 +11,12 @@ use crate::model::{ASSEMBLY, COLUMNS, COMPONENTS, Shape};
 use crate::syntax::{Attribute, FunctionDef, Item, MechanismDef, ParamItem, QuantityDef};
 
 /// The surface of one mechanism.
+#[derive(Clone)]
 pub(super) struct Outline<'a> {
     /// `$crate::__private`
+    pub facade: TokenStream,
+    /// The runtime in the scope that is printed: the facade, or its short name in the block around
+    /// code.
     pub runtime: TokenStream,
     pub attributes: &'a [Attribute],
     pub visibility: &'a TokenStream,
@@ -37,6 +41,7 @@ pub(super) struct Outline<'a> {
 }
 
 /// A public field of the mechanism.
+#[derive(Clone)]
 pub(super) struct Parameter<'a> {
     /// The name of the field: `hook_crank` for `hook.crank`.
     pub name: Ident,
@@ -46,6 +51,7 @@ pub(super) struct Parameter<'a> {
 }
 
 /// A scalar parameter.
+#[derive(Clone)]
 pub(super) struct Component {
     pub name: String,
     pub unit: String,
@@ -54,6 +60,7 @@ pub(super) struct Component {
 }
 
 /// The prepared state of a coupled group.
+#[derive(Clone)]
 pub(super) struct PreparedGroup {
     /// The inputs that it depends on.
     pub inputs: Vec<usize>,
@@ -65,6 +72,7 @@ pub(super) struct PreparedGroup {
     pub coefficients: usize,
 }
 
+#[derive(Clone)]
 pub(super) struct Input<'a> {
     pub name: &'a Ident,
     pub unit: String,
@@ -72,6 +80,7 @@ pub(super) struct Input<'a> {
     pub range: Option<(f64, f64)>,
 }
 
+#[derive(Clone)]
 pub(super) struct Function<'a> {
     pub attributes: &'a [Attribute],
     pub visibility: &'a TokenStream,
@@ -95,6 +104,7 @@ pub(super) struct Function<'a> {
     pub notes: String,
 }
 
+#[derive(Clone)]
 pub(super) struct Field<'a> {
     pub name: &'a Ident,
     pub attributes: &'a [Attribute],
@@ -151,7 +161,8 @@ impl<'a> Outline<'a> {
     /// An outline without any parameter, input or function.
     pub(super) fn empty(krate: &TokenStream, def: &'a MechanismDef) -> Self {
         Self {
-            runtime: quote!(#krate::__private),
+            facade: quote!(#krate::__private),
+            runtime: quote!(__p),
             attributes: &def.attributes,
             visibility: &def.visibility,
             name: &def.name,
@@ -165,6 +176,14 @@ impl<'a> Outline<'a> {
             continuous_angles: 0,
             starts: Vec::new(),
             complete: false,
+        }
+    }
+
+    /// The outline for the types, which are outside of the block around code.
+    pub(super) fn for_types(&self) -> Self {
+        Self {
+            runtime: self.facade.clone(),
+            ..self.clone()
         }
     }
 

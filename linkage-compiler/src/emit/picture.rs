@@ -3,24 +3,21 @@
 use proc_macro2::TokenStream;
 use quote::quote;
 
+use super::literal;
 use super::outline::Outline;
-use super::{attribute, literal};
 use crate::ir::{DriveOn, GuideOn, GuideShape, JointShape, Picture, PointKind};
 
 /// The constants of a mechanism that has a picture; `programs` describes it for pages.
 pub(super) fn items(outline: &Outline, picture: &Picture, programs: &str) -> TokenStream {
     let Outline { runtime, name, .. } = outline;
     let picture = self::literal(outline, picture);
-    let allow = attribute::allow();
     quote! {
-        #allow
-        impl #name<::core::primitive::f64> {
+        impl #name<__p::f64> {
             /// What the vectors of the quantity `picture()` are: points, links, guides.
             pub const PICTURE: &'static #runtime::Picture = &#picture;
         }
         #runtime::if_report! {
-            #allow
-            impl #name<::core::primitive::f64> {
+            impl #name<__p::f64> {
                 /// The programs as JavaScript, with which the page of a report computes: for `Report::programs`.
                 pub const PROGRAMS: #runtime::Programs = #runtime::Programs { description: #programs };
             }

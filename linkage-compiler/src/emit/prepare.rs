@@ -4,7 +4,6 @@ use proc_macro2::TokenStream;
 use quote::{format_ident, quote};
 
 use super::array_types::Types;
-use super::attribute;
 use super::outline::Outline;
 
 /// The call of `__prepare`, and the type that makes it one.
@@ -25,20 +24,17 @@ pub(super) fn for_machine(outline: &Outline, types: &Types) -> (TokenStream, Tok
         ..
     } = types;
     let preparing = format_ident!("__{name}Preparing");
-    let allow = attribute::allow();
     let call = quote!(#runtime::single(&#preparing { __m, __modes, __turns }, []));
     let item = quote! {
-        #allow
         struct #preparing<'a, T> {
             __m: &'a #name<T>,
             __modes: &'a #modes,
             __turns: &'a #turns,
         }
 
-        #allow
         impl<T: #runtime::Scalar> #runtime::Single<T, #prepared, 0> for #preparing<'_, T> {
             #[inline(always)]
-            fn at<const __FUSED: ::core::primitive::bool>(&self, []: [T; 0]) -> #prepared {
+            fn at<const __FUSED: __p::bool>(&self, []: [T; 0]) -> #prepared {
                 #assembly::__prepare::<__FUSED>(self.__m, self.__modes, self.__turns)
             }
         }

@@ -5,7 +5,7 @@ use proc_macro2::TokenStream;
 use quote::quote;
 
 use super::outline::{Outline, plain};
-use super::{assembly_data, attribute, literal};
+use super::{assembly_data, literal};
 use crate::ir::CompiledMechanism;
 
 /// `check_range()`; nothing for a mechanism without groups.
@@ -14,7 +14,7 @@ pub(super) fn items(outline: &Outline, unit: &CompiledMechanism) -> TokenStream 
         return TokenStream::new();
     }
     let Outline { runtime, name, .. } = outline;
-    let float = quote!(::core::primitive::f64);
+    let float = quote!(__p::f64);
     let title = outline.title();
     let slacks = unit.groups.iter().map(|group| {
         let slack = match group.slack {
@@ -79,11 +79,10 @@ fn method(outline: &Outline, body: TokenStream) -> TokenStream {
     {
         return TokenStream::new();
     }
-    let (allow, body) = (attribute::allow(), outline.body(body));
+    let body = outline.body(body);
     quote! {
         #runtime::if_alloc! {
-            #allow
-            impl #assembly<::core::primitive::f64> {
+            impl #assembly<__p::f64> {
                 /// Searches the declared range for change points, dead points and gaps, as the compiler does for the default
                 /// dimensions. An angle without a range is searched for change points over a turn about its reference.
                 #[must_use]

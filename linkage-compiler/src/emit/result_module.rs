@@ -78,13 +78,20 @@ pub(super) fn with_imports(
         #allow
         mod #module {
             // For links in the docs of the user.
-            #allow
             use super::*;
             #types
             #swept
         }
         #result
         #imported
+    }
+}
+
+/// Silences lints about a type of a function, which its module does for all types within.
+pub(super) fn allow(outline: &Outline, function: &Function) -> TokenStream {
+    match module(outline, function) {
+        Some(_) => TokenStream::new(),
+        None => attribute::allow(),
     }
 }
 

@@ -11,8 +11,8 @@ use quote::format_ident;
 
 use super::outline::{self, Component, Field, Function, Input, Outline, Parameter, params, plain};
 use super::{
-    assembly, circuits, columns, dimension_path, dimensions, evaluator, follower, guess::Guess,
-    mechanism, picture, range_check, result_module, structure, sweeps, table,
+    assembly, block, circuits, dimension_path, dimensions, follower, guess::Guess, mechanism,
+    picture, range_check, results, structure, table, types,
 };
 use crate::ir::Picture;
 use crate::model::{
@@ -27,39 +27,38 @@ pub(crate) fn skeleton(
     def: &MechanismDef,
     mechanism: Option<&Mechanism>,
 ) -> TokenStream {
-    let types = || iter::once(&def.name).chain(def.functions.iter().map(|f| &f.result));
-    if types().any(|name| name == TYPE_PARAMETER) {
+    let names = || iter::once(&def.name).chain(def.functions.iter().map(|f| &f.result));
+    if names().any(|name| name == TYPE_PARAMETER) {
         // No other item of this name next to the type parameter would compile.
         return TokenStream::new();
     }
     let outline = sketch(krate, def, mechanism);
-    let mut items = mechanism::items(&outline);
-    items.extend(mechanism::constants(&outline, &structure::empty(&outline)));
+    let mut code = mechanism::items(&outline);
+    code.extend(mechanism::constants(&outline, &structure::empty(&outline)));
     if asks_for_picture(def) {
-        items.extend(picture::items(&outline, &Picture::default(), ""));
+        code.extend(picture::items(&outline, &Picture::default(), ""));
     }
-    items.extend(dimensions::items(&outline));
-    items.extend(assembly::items(&outline));
+    code.extend(dimensions::items(&outline));
+    code.extend(assembly::items(&outline));
     let has_loop = def.items.iter().any(|item| matches!(item, Item::Loop(_)));
     if has_loop && outline.inputs.len() == 1 {
-        items.extend(circuits::skeleton(&outline));
+        code.extend(circuits::skeleton(&outline));
     }
     if has_loop {
-        items.extend(follower::skeleton(&outline));
-        items.extend(range_check::skeleton(&outline));
+        code.extend(follower::skeleton(&outline));
+        code.extend(range_check::skeleton(&outline));
     }
-    items.extend(dimension_path::skeleton(&outline));
+    code.extend(dimension_path::skeleton(&outline));
     for function in &outline.functions {
-        let mut types = evaluator::result(&outline, function);
-        types.extend(evaluator::result_row(&outline, function));
-        let columns = columns::items(&outline, function);
-        items.extend(result_module::with_imports(
-            &outline, function, &types, &columns,
-        ));
-        items.extend(evaluator::method(&outline, function));
-        items.extend(sweeps::items(&outline, function));
-        items.extend(table::items(&outline, function, &[]));
+        code.extend(results(&outline, function));
+        code.extend(table::items(&outline, function, &[]));
     }
+    let follower = |outline: &Outline| match has_loop {
+        true => follower::skeleton_types(outline),
+        false => TokenStream::new(),
+    };
+    let mut items = types(&outline, follower);
+    items.extend(block::items(&outline, &code));
     items
 }
 

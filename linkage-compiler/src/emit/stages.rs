@@ -55,7 +55,12 @@ pub(super) fn items(
     body: &Body,
     version: Version,
 ) -> TokenStream {
-    let Outline { runtime, core, .. } = outline;
+    let Outline {
+        runtime,
+        visibility,
+        core,
+        ..
+    } = outline;
     let runs = match body.compares_sines {
         true => Runs::InRows,
         false => Runs::InRowsOrAlone,
@@ -77,17 +82,15 @@ pub(super) fn items(
     let numbers = (0..body.stages.len()).map(literal::index);
     let stages = body.stages.iter().enumerate();
     let stages = stages.map(|(number, stage)| staged.stage(number, stage));
-    let allow = attribute::allow();
     quote! {
         #(#everywhere)*
-        #allow
-        struct #name;
+        #[doc(hidden)]
+        #visibility struct #name;
 
         #(#everywhere)*
-        #allow
         impl<T: #runtime::Scalar> #runtime::Staged<T, #core<T>, #count, #width> for #name {
-            const WIDE: ::core::primitive::bool = !::core::cfg!(debug_assertions);
-            type Memory<const __BLOCK: ::core::primitive::usize> = #runtime::Block<T, __BLOCK, #memory>;
+            const WIDE: __p::bool = !::core::cfg!(debug_assertions);
+            type Memory<const __BLOCK: __p::usize> = #runtime::Block<T, __BLOCK, #memory>;
 
             #[inline(always)]
             fn run(__stages: &mut impl #runtime::RunStages<T, #core<T>, Self>) {
@@ -149,13 +152,11 @@ impl Staged<'_> {
         let finish = put("finish", finished, results);
         let written = results.iter().map(|&result| literal::index(result));
         let number = literal::index(number);
-        let allow = attribute::allow();
         quote! {
             #(#everywhere)*
-            #allow
             impl<T: #runtime::Scalar> #runtime::Stage<T, #core<T>, #number> for #name {
                 #[inline(always)]
-                fn row<const __FUSED: ::core::primitive::bool, const __ROWS: ::core::primitive::bool>(
+                fn row<const __FUSED: __p::bool, const __ROWS: __p::bool>(
                     __core: &#core<T>,
                     __row: &mut impl #runtime::StageRow<T>,
                 ) {

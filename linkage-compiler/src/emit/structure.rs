@@ -49,9 +49,9 @@ fn group(outline: &Outline, group: &Group) -> TokenStream {
     let mode = match group.mode {
         Some(mode) => {
             let mode = literal::index(mode);
-            quote!(::core::option::Option::Some(#mode))
+            quote!(__p::Some(#mode))
         }
-        None => quote!(::core::option::Option::None),
+        None => quote!(__p::None),
     };
     quote! {
         #runtime::Group {

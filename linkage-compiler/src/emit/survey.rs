@@ -9,7 +9,7 @@ use super::array_types::Types;
 use super::body::Runs;
 use super::load::{Places, loader};
 use super::outline::Outline;
-use super::{assembly_data, attribute, body, literal, winding};
+use super::{assembly_data, body, literal, winding};
 use crate::ir::CompiledMechanism;
 
 /// `__survey` and `__surveyor`; nothing for a mechanism without groups.
@@ -41,13 +41,11 @@ pub(super) fn items(outline: &Outline, unit: &CompiledMechanism) -> TokenStream 
     let surveyor = surveyor(outline, unit);
     // For `circuits()`, of mechanisms with one input.
     let without_starts = (unit.inputs.len() == 1).then(|| without_starts(outline));
-    let allow = attribute::allow();
     quote! {
         #runtime::if_alloc! {
-            #allow
             impl<T: #runtime::Scalar> #assembly<T> {
                 /// The smallest margin, the slack of every group, and where every unknown is.
-                fn __survey<const __FUSED: ::core::primitive::bool>(&self, __x: #inputs) -> [T; #count] {
+                fn __survey<const __FUSED: __p::bool>(&self, __x: #inputs) -> [T; #count] {
                     let __x: #arguments = #x;
                     let #core { __mechanism: __m, __modes, __prepared, .. } = #fields;
                     #statements
@@ -68,7 +66,7 @@ fn without_starts(outline: &Outline) -> TokenStream {
         core,
         ..
     } = outline;
-    let float = quote!(::core::primitive::f64);
+    let float = quote!(__p::f64);
     let fields = assembly_data::core(outline, &quote!(__of));
     let starts = (!outline.starts.is_empty())
         .then(|| quote!(let __starts = Self::__starts(&#runtime::nothing(T::LANES));));
@@ -110,7 +108,7 @@ fn surveyor(outline: &Outline, unit: &CompiledMechanism) -> TokenStream {
         ..
     } = outline;
     let Types { modes, .. } = Types::new(outline, unit);
-    let float = quote!(::core::primitive::f64);
+    let float = quote!(__p::f64);
     let (found, argument) = match outline.starts.is_empty() {
         true => Default::default(),
         false => {
@@ -133,16 +131,14 @@ fn surveyor(outline: &Outline, unit: &CompiledMechanism) -> TokenStream {
             let at_estimates = winding::at_estimates(outline, unit);
             quote! {
                 match Self::__wind(__m, &__modes, #argument __at, #count) {
-                    ::core::result::Result::Ok(__turns) => __turns,
-                    ::core::result::Result::Err(_) => #at_estimates,
+                    __p::Ok(__turns) => __turns,
+                    __p::Err(_) => #at_estimates,
                 }
             }
         }
     };
     let inputs = literal::index(outline.inputs.len());
-    let allow = attribute::allow();
     quote! {
-        #allow
         impl #assembly<#float> {
             fn __surveyor(
                 __m: &#name<#float>,

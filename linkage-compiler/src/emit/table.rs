@@ -1,4 +1,5 @@
-//! Names and units of the columns that sweeps fill: the trait `Table`.
+//! Names and units of the columns that sweeps fill: the runtime's `Headed`, by which they are a
+//! `Table`.
 
 use proc_macro2::TokenStream;
 use quote::quote;
@@ -22,35 +23,26 @@ pub(super) fn items(outline: &Outline, function: &Function, columns: &[Column]) 
     let picture = first.map(|first| {
         let (first, mechanism) = (literal::index(first), outline.name);
         quote! {
-            #runtime::PictureColumns { first: #first, picture: <#mechanism<::core::primitive::f64>>::PICTURE }
+            #runtime::PictureColumns { first: #first, picture: <#mechanism<__p::f64>>::PICTURE }
         }
     });
     let picture = optional(picture);
     let columns = columns
         .iter()
         .map(|description| column(outline, description));
-    let heading = outline.body(quote! {
-        const __HEADING: &#runtime::Heading = &#runtime::Heading {
-            function: #name,
-            arguments: &[#(#arguments),*],
-            columns: &[#(#columns),*],
-            picture: #picture,
-        };
-        __HEADING
-    });
-    let rows = outline.body(quote!(self.0.len()));
-    let values = outline.body(quote!(self.0.column(index)));
     let everywhere = &attribute::split(function.attributes).everywhere;
-    let allow = attribute::allow();
     quote! {
         #runtime::if_report! {
             #(#everywhere)*
-            #allow
             #[automatically_derived]
-            impl #runtime::Table for #ty<::core::primitive::f64> {
-                fn heading(&self) -> &'static #runtime::Heading { #heading }
-                fn rows(&self) -> ::core::primitive::usize { #rows }
-                fn column(&self, index: ::core::primitive::usize) -> &[::core::primitive::f64] { #values }
+            #[doc(hidden)]
+            impl #runtime::Headed for #ty<__p::f64> {
+                const HEADING: &'static #runtime::Heading = &#runtime::Heading {
+                    function: #name,
+                    arguments: &[#(#arguments),*],
+                    columns: &[#(#columns),*],
+                    picture: #picture,
+                };
             }
         }
     }
@@ -81,7 +73,7 @@ fn column(outline: &Outline, column: &Column) -> TokenStream {
 
 fn optional(value: Option<TokenStream>) -> TokenStream {
     match value {
-        Some(value) => quote!(::core::option::Option::Some(#value)),
-        None => quote!(::core::option::Option::None),
+        Some(value) => quote!(__p::Some(#value)),
+        None => quote!(__p::None),
     }
 }

@@ -9,7 +9,7 @@ use super::body;
 use super::body::Runs;
 use super::load::{Places, loader};
 use super::outline::Outline;
-use super::{array_types, attribute, literal};
+use super::{array_types, literal};
 use crate::ir::{CompiledMechanism, ContinuousAngle};
 
 /// The centres and windings of the continuous angles, lane by lane. If they cannot be found because
@@ -30,7 +30,7 @@ pub(super) fn turning(outline: &Outline, unit: &CompiledMechanism) -> TokenStrea
     let (starts, at) = match outline.starts.is_empty() {
         true => (TokenStream::new(), quote!(__at)),
         false => (
-            quote!(&#assembly::<::core::primitive::f64>::__starts(::core::slice::from_ref(&__lanes[__lane])),),
+            quote!(&#assembly::<__p::f64>::__starts(::core::slice::from_ref(&__lanes[__lane])),),
             quote!(__x),
         ),
     };
@@ -41,17 +41,17 @@ pub(super) fn turning(outline: &Outline, unit: &CompiledMechanism) -> TokenStrea
     });
     quote! {
         match #runtime::turns(|__lane| {
-            let __lane_mechanism: #name<::core::primitive::f64> = #name::__lane(__m, __lane);
-            #assembly::<::core::primitive::f64>::__wind(
+            let __lane_mechanism: #name<__p::f64> = #name::__lane(__m, __lane);
+            #assembly::<__p::f64>::__wind(
                 &__lane_mechanism, &__modes, #starts [#(#lane),*], #count,
             )
         }) {
-            ::core::result::Result::Ok(__turns) => __turns,
-            ::core::result::Result::Err(__unknown) => {
+            __p::Ok(__turns) => __turns,
+            __p::Err(__unknown) => {
                 let __turns = #at_estimates;
                 let __prepared = Self::__prepare_for_machine(__m, &__modes, &__turns);
                 Self::__close(__m, &__modes, &__prepared, #at)?;
-                return ::core::result::Result::Err(#runtime::AssemblyError::NoWinding {
+                return __p::Err(#runtime::AssemblyError::NoWinding {
                     mechanism: #title,
                     unknown: __unknown,
                 });
@@ -102,19 +102,17 @@ pub(super) fn items(outline: &Outline, unit: &CompiledMechanism) -> TokenStream 
             )
         }
     };
-    let allow = attribute::allow();
     quote! {
-        #allow
-        impl #assembly<::core::primitive::f64> {
+        impl #assembly<__p::f64> {
             fn __wind(
-                __m: &#name<::core::primitive::f64>,
+                __m: &#name<__p::f64>,
                 __modes: &#modes,
                 #starts
-                __at: [::core::primitive::f64; #input_count],
-                __count: ::core::primitive::usize,
-            ) -> ::core::result::Result<
-                #runtime::Turns<::core::primitive::f64, #angle_count, #input_count>,
-                &'static ::core::primitive::str,
+                __at: [__p::f64; #input_count],
+                __count: __p::usize,
+            ) -> __p::Result<
+                #runtime::Turns<__p::f64, #angle_count, #input_count>,
+                &'static __p::str,
             > {
                 #runtime::wind(&[#(#table),*], &#bearings, __count, [#(#references),*], __at, |__turns| {
                     let __prepared = Self::__prepare_for_machine(__m, __modes, __turns);
@@ -122,9 +120,8 @@ pub(super) fn items(outline: &Outline, unit: &CompiledMechanism) -> TokenStream 
                 })
             }
         }
-        #allow
         impl<T: #runtime::Scalar> #assembly<T> {
-            fn __directions<const __FUSED: ::core::primitive::bool>(
+            fn __directions<const __FUSED: __p::bool>(
                 __m: &#name<T>,
                 __modes: &#modes,
                 __prepared: &#prepared,
@@ -153,9 +150,9 @@ fn search(outline: &Outline, unit: &CompiledMechanism, angle: &ContinuousAngle) 
     let phases = angle.phases.iter().map(|phase| match &phase.turns {
         Some(turns) => {
             let turns = turns.iter().map(|turns| literal::float(*turns));
-            quote!(::core::option::Option::Some([#(#turns),*]))
+            quote!(__p::Some([#(#turns),*]))
         }
-        None => quote!(::core::option::Option::None),
+        None => quote!(__p::None),
     });
     quote! {
         #runtime::Angle { unknown: #unknown, estimate: #estimate, along: &[#(#along),*], phases: &[#(#phases),*] }
@@ -172,7 +169,7 @@ fn bearings(outline: &Outline, unit: &CompiledMechanism) -> (TokenStream, TokenS
     let count = literal::index(unit.bearings.outputs.len() / 2);
     let vectors = pairs(outline, &unit.bearings);
     let function = quote! {
-        fn __bearings<const __FUSED: ::core::primitive::bool>(
+        fn __bearings<const __FUSED: __p::bool>(
             __m: &#name<T>,
             __modes: &#modes,
         ) -> [[T; 2]; #count] { #vectors }

@@ -9,47 +9,30 @@ pub trait Dispatch<T, R, const I: usize> {
     fn at<const FUSED: bool>(&self, x: [T; I]) -> R;
 }
 
+/// One of the functions of the data `A`, as [`Dispatch`].
+pub(super) trait DataFunction<A, T, R, const I: usize> {
+    /// Its value at one position. With `FUSED` only on machines with fused multiply-add.
+    fn value<const FUSED: bool>(data: &A, x: [T; I]) -> R;
+}
+
+/// The function that data have by [`Dispatch`].
+enum Dispatched {}
+
+impl<A: Dispatch<T, R, I>, T, R, const I: usize> DataFunction<A, T, R, I> for Dispatched {
+    #[inline(always)]
+    fn value<const FUSED: bool>(data: &A, x: [T; I]) -> R {
+        data.at::<FUSED>(x)
+    }
+}
+
 /// The function's value, with fused multiply-add where the machine has it.
-///
-/// A build for machines that all have it inlines that code. Any other for x86-64 tests a flag that
-/// is set once, and jumps into code that was compiled for AVX2 with FMA; all that the flag leaves
-/// to be done is in a function of its own, so that it takes no room and no registers here. Without
-/// the standard library the features of the machine are unknown.
 #[inline(always)]
 pub fn dispatch<A, T, R, const I: usize>(assembly: &A, x: [T; I]) -> R
 where
     A: Dispatch<T, R, I>,
     T: Copy,
 {
-    #[cfg(all(target_arch = "x86_64", feature = "std"))]
-    if !linkage_core::FUSED {
-        return if choice::found() {
-            choice::avx2(assembly, x)
-        } else {
-            choice::other(assembly, x)
-        };
-    }
-    inlined(assembly, x)
-}
-
-/// The function's value as sweeps compute it except for the rounding of sines, by code that
-/// [`dispatch`] has, too. `None` on machines without fused multiply-add, unless the build has code
-/// for them alone.
-#[inline(always)]
-pub fn as_in_sweeps<A, T, R, const I: usize>(assembly: &A, x: [T; I]) -> Option<R>
-where
-    A: Dispatch<T, R, I>,
-    T: Copy,
-{
-    #[cfg(all(target_arch = "x86_64", feature = "std"))]
-    if !linkage_core::FUSED {
-        return if choice::found() || choice::detect() {
-            Some(choice::avx2(assembly, x))
-        } else {
-            None
-        };
-    }
-    Some(inlined(assembly, x))
+    dispatch_function::<Dispatched, A, T, R, I>(assembly, x)
 }
 
 /// The function's value by code for the build's own instruction set, for functions that are shorter
@@ -62,12 +45,66 @@ where
     assembly.at::<{ linkage_core::FUSED }>(x)
 }
 
+/// The function's value, with fused multiply-add where the machine has it.
+///
+/// A build for machines that all have it inlines that code. Any other for x86-64 tests a flag that
+/// is set once, and jumps into code that was compiled for AVX2 with FMA; all that the flag leaves
+/// to be done is in a function of its own, so that it takes no room and no registers here. Without
+/// the standard library the features of the machine are unknown.
+#[inline(always)]
+pub(super) fn dispatch_function<F, A, T, R, const I: usize>(data: &A, x: [T; I]) -> R
+where
+    F: DataFunction<A, T, R, I>,
+    T: Copy,
+{
+    #[cfg(all(target_arch = "x86_64", feature = "std"))]
+    if !linkage_core::FUSED {
+        return if choice::found() {
+            choice::avx2::<F, A, T, R, I>(data, x)
+        } else {
+            choice::other::<F, A, T, R, I>(data, x)
+        };
+    }
+    inlined_function::<F, A, T, R, I>(data, x)
+}
+
+/// The function's value as sweeps compute it except for the rounding of sines, by code that
+/// [`dispatch_function`] has, too. `None` on machines without fused multiply-add, unless the build has code
+/// for them alone.
+#[cfg(feature = "alloc")]
+#[inline(always)]
+pub(super) fn as_in_sweeps<F, A, T, R, const I: usize>(data: &A, x: [T; I]) -> Option<R>
+where
+    F: DataFunction<A, T, R, I>,
+    T: Copy,
+{
+    #[cfg(all(target_arch = "x86_64", feature = "std"))]
+    if !linkage_core::FUSED {
+        return if choice::found() || choice::detect() {
+            Some(choice::avx2::<F, A, T, R, I>(data, x))
+        } else {
+            None
+        };
+    }
+    Some(inlined_function::<F, A, T, R, I>(data, x))
+}
+
+/// The function's value by code for the build's own instruction set, for functions that are shorter
+/// than a call.
+#[inline(always)]
+pub(super) fn inlined_function<F, A, T, R, const I: usize>(data: &A, x: [T; I]) -> R
+where
+    F: DataFunction<A, T, R, I>,
+{
+    F::value::<{ linkage_core::FUSED }>(data, x)
+}
+
 /// Choice of the code for this machine.
 #[cfg(all(target_arch = "x86_64", feature = "std"))]
 mod choice {
     use core::sync::atomic::{AtomicU8, Ordering};
 
-    use super::{Dispatch, inlined};
+    use super::{DataFunction, inlined_function};
 
     /// The known features of the machine: one load and one comparison for each call. (The standard
     /// library's own flags are tested one by one.)
@@ -97,15 +134,15 @@ mod choice {
     /// numbers are handed over in registers: an array would go through memory or registers for
     /// integers.
     macro_rules! by_number {
-        ($calls:ident, $assembly:ident, $x:ident) => {
+        ($calls:ident, $data:ident, $x:ident) => {
             if const { I == 1 } {
-                $calls::one($assembly, $x[0])
+                $calls::one::<F, A, T, R, I>($data, $x[0])
             } else if const { I == 2 } {
-                $calls::two($assembly, $x[0], $x[1])
+                $calls::two::<F, A, T, R, I>($data, $x[0], $x[1])
             } else if const { I == 3 } {
-                $calls::three($assembly, $x[0], $x[1], $x[2])
+                $calls::three::<F, A, T, R, I>($data, $x[0], $x[1], $x[2])
             } else {
-                $calls::many($assembly, &$x)
+                $calls::many::<F, A, T, R, I>($data, &$x)
             }
         };
     }
@@ -113,30 +150,33 @@ mod choice {
     /// The value by code for AVX2 with FMA, which have been found.
     #[allow(unsafe_code, reason = "the instruction set has been asked for")]
     #[inline(always)]
-    pub(super) fn avx2<A: Dispatch<T, R, I>, T: Copy, R, const I: usize>(
-        assembly: &A,
+    pub(super) fn avx2<F: DataFunction<A, T, R, I>, A, T: Copy, R, const I: usize>(
+        data: &A,
         x: [T; I],
     ) -> R {
         // SAFETY: the machine has the instruction set.
-        unsafe { by_number!(fused, assembly, x) }
+        unsafe { by_number!(fused, data, x) }
     }
 
     /// The value where they have not been found: for the first time, or on a machine without.
     #[inline(always)]
-    pub(super) fn other<A: Dispatch<T, R, I>, T: Copy, R, const I: usize>(
-        assembly: &A,
+    pub(super) fn other<F: DataFunction<A, T, R, I>, A, T: Copy, R, const I: usize>(
+        data: &A,
         x: [T; I],
     ) -> R {
-        by_number!(rare, assembly, x)
+        by_number!(rare, data, x)
     }
 
     /// The rare part of [`other`].
     #[inline(always)]
-    fn detected<A: Dispatch<T, R, I>, T: Copy, R, const I: usize>(assembly: &A, x: [T; I]) -> R {
+    fn detected<F: DataFunction<A, T, R, I>, A, T: Copy, R, const I: usize>(
+        data: &A,
+        x: [T; I],
+    ) -> R {
         if detect() {
-            avx2(assembly, x)
+            avx2::<F, A, T, R, I>(data, x)
         } else {
-            inlined(assembly, x)
+            inlined_function::<F, A, T, R, I>(data, x)
         }
     }
 
@@ -144,49 +184,49 @@ mod choice {
     macro_rules! calls {
         ($calls:ident, #[$how:meta], $value:expr) => {
             mod $calls {
-                use super::Dispatch;
+                use super::DataFunction;
 
                 #[$how]
-                pub(super) fn one<A: Dispatch<T, R, I>, T: Copy, R, const I: usize>(
-                    assembly: &A,
+                pub(super) fn one<F: DataFunction<A, T, R, I>, A, T: Copy, R, const I: usize>(
+                    data: &A,
                     a: T,
                 ) -> R {
-                    $value(assembly, [a; I])
+                    $value(data, [a; I])
                 }
 
                 #[$how]
-                pub(super) fn two<A: Dispatch<T, R, I>, T: Copy, R, const I: usize>(
-                    assembly: &A,
+                pub(super) fn two<F: DataFunction<A, T, R, I>, A, T: Copy, R, const I: usize>(
+                    data: &A,
                     a: T,
                     b: T,
                 ) -> R {
                     let mut x = [a; I];
                     x[1] = b;
-                    $value(assembly, x)
+                    $value(data, x)
                 }
 
                 #[$how]
-                pub(super) fn three<A: Dispatch<T, R, I>, T: Copy, R, const I: usize>(
-                    assembly: &A,
+                pub(super) fn three<F: DataFunction<A, T, R, I>, A, T: Copy, R, const I: usize>(
+                    data: &A,
                     a: T,
                     b: T,
                     c: T,
                 ) -> R {
                     let mut x = [a; I];
                     (x[1], x[2]) = (b, c);
-                    $value(assembly, x)
+                    $value(data, x)
                 }
 
                 #[$how]
-                pub(super) fn many<A: Dispatch<T, R, I>, T: Copy, R, const I: usize>(
-                    assembly: &A,
+                pub(super) fn many<F: DataFunction<A, T, R, I>, A, T: Copy, R, const I: usize>(
+                    data: &A,
                     x: &[T; I],
                 ) -> R {
-                    $value(assembly, *x)
+                    $value(data, *x)
                 }
             }
         };
     }
-    calls!(fused, #[target_feature(enable = "avx2,fma")], A::at::<true>);
-    calls!(rare, #[cold], super::detected);
+    calls!(fused, #[target_feature(enable = "avx2,fma")], F::value::<true>);
+    calls!(rare, #[cold], super::detected::<F, A, T, R, I>);
 }

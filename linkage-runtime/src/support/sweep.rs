@@ -2,26 +2,33 @@
 
 mod arguments;
 mod blocks;
-#[cfg(any(feature = "std", feature = "libm"))]
 mod extended;
 mod fill;
 #[cfg(any(feature = "std", feature = "libm"))]
 mod followed;
+#[cfg(any(feature = "std", feature = "libm"))]
+mod followed_sets;
 mod instruction_set;
 mod kernel;
+mod over_inputs;
+mod over_sets;
 #[cfg(feature = "rayon")]
 mod parallel;
 mod staged;
 
-pub use arguments::{Arguments, Inputs, Sets};
+pub use arguments::Arguments;
+pub use fill::fill;
 #[cfg(any(feature = "std", feature = "libm"))]
-pub use extended::{Extended, States};
-pub use fill::{fill, fill_or_call, fill_results, fill_slices, in_row};
-#[cfg(feature = "rayon")]
-pub use followed::fill_followed_parallel;
+pub use followed::Moving;
+#[cfg(all(feature = "rayon", any(feature = "std", feature = "libm")))]
+pub use followed_sets::followed_sweep_sets_parallel_into;
 #[cfg(any(feature = "std", feature = "libm"))]
-pub use followed::{Followed, Moving, fill_followed};
+pub use followed_sets::{FollowedStages, followed_sweep_sets, followed_sweep_sets_into};
 pub use kernel::Kernel;
 #[cfg(feature = "rayon")]
-pub use parallel::fill_parallel;
-pub use staged::{OverInputs, OverSets, RowNumbersMut, SetStages};
+pub use over_inputs::sweep_parallel_into;
+pub use over_inputs::{Slices, sweep, sweep_into};
+#[cfg(feature = "rayon")]
+pub use over_sets::sweep_sets_parallel_into;
+pub use over_sets::{sweep_sets, sweep_sets_into};
+pub use staged::{OverInputs, RowNumbersMut, SetStages};

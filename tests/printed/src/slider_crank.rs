@@ -29,214 +29,14 @@ pub struct SliderCrank<T = ::core::primitive::f64> {
     /// `offset`, in mm; default 5, tolerance 0.05.
     pub offset: T,
 }
-#[automatically_derived]
-impl ::core::default::Default for SliderCrank<::core::primitive::f64> {
-    fn default() -> Self {
-        Self {
-            crank: 40.0f64,
-            rod: 120.0f64,
-            offset: 5.0f64,
-        }
-    }
-}
-impl SliderCrank<::core::primitive::f64> {
-    /// The same dimensions in another scalar type: single precision, lanes, dual numbers.
-    #[must_use]
-    pub fn cast<U: ::linkage::__private::Scalar>(&self) -> SliderCrank<U> {
-        SliderCrank {
-            crank: <U as ::linkage::__private::Scalar>::from_f64(self.crank),
-            rod: <U as ::linkage::__private::Scalar>::from_f64(self.rod),
-            offset: <U as ::linkage::__private::Scalar>::from_f64(self.offset),
-        }
-    }
-}
-impl<T: ::linkage::__private::Scalar> SliderCrank<T> {
-    /// The dimensions of one lane.
-    fn __lane(
-        &self,
-        __lane: ::core::primitive::usize,
-    ) -> SliderCrank<::core::primitive::f64> {
-        SliderCrank {
-            crank: T::lane(self.crank, __lane),
-            rod: T::lane(self.rod, __lane),
-            offset: T::lane(self.offset, __lane),
-        }
-    }
-}
-impl<T: ::linkage::__private::Scalar> SliderCrank<T> {
-    /// The dimensions, which are the first numbers of a row.
-    #[inline(always)]
-    fn __of_row(__row: &impl ::linkage::__private::RowNumbers<T>) -> Self {
-        SliderCrank {
-            crank: __row.number(0),
-            rod: __row.number(1),
-            offset: __row.number(2),
-        }
-    }
-}
-impl SliderCrank<::core::primitive::f64> {
-    /// The inputs in declaration order, with their reference positions and ranges.
-    pub const INPUTS: &'static [::linkage::__private::Input] = &[
-        ::linkage::__private::Input {
-            name: "phi",
-            unit: "rad",
-            reference: 0.5235987755982989f64,
-            range: ::core::option::Option::Some((0.0f64, 6.283185307179586f64)),
-        },
-    ];
-    /// The scalar parameters in declaration order, with the defaults and tolerances of the declaration, in
-    /// the units of the fields.
-    pub const PARAMETERS: &'static [::linkage::__private::Parameter] = &[
-        ::linkage::__private::parameter("crank", "mm", 40.0f64, 0.01f64),
-        ::linkage::__private::parameter("rod", "mm", 120.0f64, 0.02f64),
-        ::linkage::__private::parameter("offset", "mm", 5.0f64, 0.05f64),
-    ];
-    /// The groups in the order in which they are solved, their methods, and operation counts.
-    pub const STRUCTURE: &'static ::linkage::__private::Structure = &::linkage::__private::Structure {
-        mobility: 1,
-        groups: &[
-            ::linkage::__private::Group {
-                class: 2u8,
-                order: 2u8,
-                kind: "RRP",
-                loops: &[1],
-                unknowns: &["theta", "slide"],
-                mode: ::core::option::Option::Some(0),
-                method: "intersection of a circle and a line, by the distance from the line",
-            },
-        ],
-        functions: &[
-            ::linkage::__private::FunctionInfo {
-                name: "stroke",
-                operations: ::linkage::__private::operations([
-                    9u32, 11u32, 1u32, 1u32, 1u32, 0u32, 3u32,
-                ]),
-            },
-            ::linkage::__private::FunctionInfo {
-                name: "accuracy",
-                operations: ::linkage::__private::operations([
-                    7u32, 12u32, 1u32, 1u32, 1u32, 0u32, 4u32,
-                ]),
-            },
-            ::linkage::__private::FunctionInfo {
-                name: "shape",
-                operations: ::linkage::__private::operations([
-                    5u32, 4u32, 0u32, 1u32, 1u32, 0u32, 1u32,
-                ]),
-            },
-        ],
-        prepare: ::linkage::__private::operations([
-            1u32, 3u32, 4u32, 0u32, 0u32, 0u32, 4u32,
-        ]),
-    };
-    /// Index of `crank` in `PARAMETERS` and in the arrays of `sensitivity`.
-    pub const INDEX_CRANK: ::core::primitive::usize = 0;
-    /// Index of `rod` in `PARAMETERS` and in the arrays of `sensitivity`.
-    pub const INDEX_ROD: ::core::primitive::usize = 1;
-    /// Index of `offset` in `PARAMETERS` and in the arrays of `sensitivity`.
-    pub const INDEX_OFFSET: ::core::primitive::usize = 2;
-}
-impl SliderCrank<::core::primitive::f64> {
-    /// What the vectors of the quantity `picture()` are: points, links, guides.
-    pub const PICTURE: &'static ::linkage::__private::Picture = &::linkage::__private::Picture {
-        dimension: 2,
-        points: &[
-            ::linkage::__private::PicturePoint {
-                name: "crank/frame",
-                kind: ::linkage::__private::PointKind::Ground,
-            },
-            ::linkage::__private::PicturePoint {
-                name: "pin",
-                kind: ::linkage::__private::PointKind::Joint,
-            },
-            ::linkage::__private::PicturePoint {
-                name: "guide of slide",
-                kind: ::linkage::__private::PointKind::Construction,
-            },
-            ::linkage::__private::PicturePoint {
-                name: "slider",
-                kind: ::linkage::__private::PointKind::Joint,
-            },
-        ],
-        directions: &["along slide"],
-        links: &[
-            ::linkage::__private::PictureLink {
-                name: "crank",
-                points: &[0, 1],
-            },
-            ::linkage::__private::PictureLink {
-                name: "rod",
-                points: &[1, 3],
-            },
-        ],
-        guides: &[
-            ::linkage::__private::Guide {
-                name: "slide",
-                origin: 2,
-                direction: 0,
-                slider: 3,
-                on: ::linkage::__private::GuideOn::Frame,
-                shape: ::linkage::__private::GuideShape::Slot,
-            },
-        ],
-        axes: &[],
-        joints: &[
-            ::linkage::__private::PictureJoint {
-                point: 0,
-                shape: ::linkage::__private::JointShape::Pin,
-            },
-            ::linkage::__private::PictureJoint {
-                point: 1,
-                shape: ::linkage::__private::JointShape::Pin,
-            },
-            ::linkage::__private::PictureJoint {
-                point: 3,
-                shape: ::linkage::__private::JointShape::Pin,
-            },
-            ::linkage::__private::PictureJoint {
-                point: 3,
-                shape: ::linkage::__private::JointShape::Slide,
-            },
-        ],
-        gears: &[],
-        drives: &[
-            ::linkage::__private::Drive {
-                input: 0,
-                on: ::linkage::__private::DriveOn::Turn([0, 1]),
-            },
-        ],
-        undrawn: &[],
-        parts: &[],
-    };
-}
-#[automatically_derived]
-impl ::linkage::__private::Dimensions<3> for SliderCrank<::core::primitive::f64> {
-    const PARAMETERS: &'static [::linkage::__private::Parameter] = Self::PARAMETERS;
-    fn from_values(__values: &[::core::primitive::f64; 3]) -> Self {
-        SliderCrank {
-            crank: __values[0],
-            rod: __values[1],
-            offset: __values[2],
-        }
-    }
-    fn values(&self) -> [::core::primitive::f64; 3] {
-        self.__values()
-    }
-}
-impl<T: ::linkage::__private::Scalar> SliderCrank<T> {
-    /// The scalar dimensions in the order of `PARAMETERS`.
-    #[inline(always)]
-    fn __values(&self) -> [T; 3] {
-        [self.crank, self.rod, self.offset]
-    }
-}
 #[derive(
     ::core::clone::Clone,
     ::core::marker::Copy,
     ::core::fmt::Debug,
     ::core::cmp::PartialEq
 )]
-struct __SliderCrankCore<T> {
+#[doc(hidden)]
+pub struct __SliderCrankCore<T> {
     __mechanism: SliderCrank<T>,
     __modes: [::linkage::__private::AssemblyMode; 1],
     __turns: ::linkage::__private::Turns<T, 0, 1>,
@@ -270,510 +70,6 @@ struct __SliderCrankCore<T> {
 pub struct SliderCrankAssembly<T = ::core::primitive::f64> {
     __sealed: ::linkage::__private::Sealed<__SliderCrankCore<T>>,
 }
-impl<T> SliderCrankAssembly<T> {
-    /// The dimensions that it was assembled with.
-    #[must_use]
-    pub const fn mechanism(&self) -> &SliderCrank<T> {
-        &::linkage::__private::Sealed::core(&self.__sealed).__mechanism
-    }
-    /// The assembly mode of each group that has two; `STRUCTURE` says which group is which.
-    #[must_use]
-    pub const fn modes(&self) -> &[::linkage::__private::AssemblyMode; 1] {
-        &::linkage::__private::Sealed::core(&self.__sealed).__modes
-    }
-}
-impl<T: ::linkage::__private::Scalar> SliderCrank<T> {
-    /// Closes the loops at the reference inputs in the assembly mode that the start estimates choose, and
-    /// computes what depends on the dimensions alone.
-    ///
-    /// # Errors
-    ///
-    /// Says which loop cannot close and by how much it misses, or has no finite solution, or which angle cannot be
-    /// followed through the range.
-    #[doc(alias = "stroke")]
-    #[doc(alias = "stroke_sweep")]
-    #[doc(alias = "accuracy")]
-    #[doc(alias = "accuracy_sweep")]
-    #[doc(alias = "shape")]
-    #[doc(alias = "shape_sweep")]
-    pub fn assemble(
-        &self,
-    ) -> ::core::result::Result<
-        SliderCrankAssembly<T>,
-        ::linkage::__private::AssemblyError,
-    > {
-        ::linkage::__private::explained(
-            SliderCrankAssembly::__assemble(
-                self,
-                [::linkage::__private::AssemblyMode::Minus],
-                [T::from_f64(0.5235987755982989f64)],
-            ),
-            SliderCrank::<::core::primitive::f64>::PARAMETERS,
-            || self.__values(),
-        )
-    }
-}
-impl<T: ::linkage::__private::Scalar> SliderCrank<T> {
-    /// Every real assembly at the reference inputs, each ready to evaluate; the one that the start
-    /// estimates choose comes first if it is real. The list is empty if no assembly is.
-    ///
-    /// # Errors
-    ///
-    /// Fails if a dimension is not a finite number, if there are more than 16 groups with two modes, or if the assemblies of a
-    /// group without a closed form cannot be listed or followed.
-    pub fn assemblies(
-        &self,
-    ) -> ::core::result::Result<
-        ::linkage::__private::Vec<SliderCrankAssembly<T>>,
-        ::linkage::__private::AssemblyError,
-    > {
-        ::linkage::__private::explained(
-            ::linkage::__private::assemblies(
-                "SliderCrank",
-                [::linkage::__private::AssemblyMode::Minus],
-                |__modes| {
-                    SliderCrankAssembly::__assemble(
-                            self,
-                            __modes,
-                            [T::from_f64(0.5235987755982989f64)],
-                        )
-                        .map(|__assembly| ::linkage::__private::one(__assembly))
-                },
-            ),
-            SliderCrank::<::core::primitive::f64>::PARAMETERS,
-            || self.__values(),
-        )
-    }
-    /// Every real assembly at the given inputs, each ready to evaluate; the one that the start estimates
-    /// choose comes first if it is real there.
-    ///
-    /// # Errors
-    ///
-    /// As `assemblies()`.
-    pub fn assemblies_at(
-        &self,
-        phi: T,
-    ) -> ::core::result::Result<
-        ::linkage::__private::Vec<SliderCrankAssembly<T>>,
-        ::linkage::__private::AssemblyError,
-    > {
-        ::linkage::__private::explained(
-            ::linkage::__private::assemblies(
-                "SliderCrank",
-                [::linkage::__private::AssemblyMode::Minus],
-                |__modes| {
-                    SliderCrankAssembly::__assemble(self, __modes, [phi])
-                        .map(|__assembly| ::linkage::__private::one(__assembly))
-                },
-            ),
-            SliderCrank::<::core::primitive::f64>::PARAMETERS,
-            || self.__values(),
-        )
-    }
-}
-impl<T: ::linkage::__private::Scalar> SliderCrankAssembly<T> {
-    fn __assemble(
-        __m: &SliderCrank<T>,
-        __modes: [::linkage::__private::AssemblyMode; 1],
-        __at: [T; 1],
-    ) -> ::core::result::Result<Self, ::linkage::__private::AssemblyError> {
-        Self::__finite(__m)?;
-        let __turns: ::linkage::__private::Turns<T, 0, 1> = ::linkage::__private::Turns {
-            centres: [],
-            windings: [],
-        };
-        let __prepared = Self::__prepare_for_machine(__m, &__modes, &__turns);
-        Self::__close(__m, &__modes, &__prepared, __at)?;
-        ::core::result::Result::Ok(Self {
-            __sealed: ::linkage::__private::Sealed::new(
-                __SliderCrankCore {
-                    __mechanism: *__m,
-                    __modes,
-                    __turns,
-                    __prepared,
-                },
-                (),
-            ),
-        })
-    }
-    fn __finite(
-        __m: &SliderCrank<T>,
-    ) -> ::core::result::Result<(), ::linkage::__private::AssemblyError> {
-        ::linkage::__private::finite(
-            "SliderCrank",
-            SliderCrank::<::core::primitive::f64>::PARAMETERS,
-            &[0, 1, 2],
-            &__m.__values(),
-        )
-    }
-    fn __close(
-        __m: &SliderCrank<T>,
-        __modes: &[::linkage::__private::AssemblyMode; 1],
-        __prepared: &[T; 9],
-        __x: [T; 1],
-    ) -> ::core::result::Result<(), ::linkage::__private::AssemblyError> {
-        let __gaps = Self::__gaps::<
-            { ::linkage::__private::FUSED },
-        >(__m, __modes, __prepared, __x);
-        ::linkage::__private::close(
-            "SliderCrank",
-            SliderCrank::<::core::primitive::f64>::STRUCTURE.groups,
-            &["mm"],
-            &__gaps,
-        )
-    }
-    #[inline(always)]
-    fn __prepare<const __FUSED: ::core::primitive::bool>(
-        __m: &SliderCrank<T>,
-        __modes: &[::linkage::__private::AssemblyMode; 1],
-        __turns: &::linkage::__private::Turns<T, 0, 1>,
-    ) -> [T; 9] {
-        let __v0 = T::from_f64(::linkage::__private::AssemblyMode::sign(__modes[0]));
-        let __v1 = T::from_f64(1.7976931348623157e308f64);
-        let __v2 = __m.rod;
-        let __v3 = T::abs(__v2);
-        let __v4 = T::mul_add::<__FUSED>(-__v3, __v3, __v1);
-        let __v5 = T::from_f64(::core::primitive::f64::NAN);
-        let __v6 = T::unless_negative(__v4, __v3);
-        let __v7 = T::slack(__v6);
-        let __v8 = T::from_f64((-1.0f64));
-        let __v9 = __v8 / __v0;
-        let __v10 = T::from_f64(1.0f64);
-        let __v11 = __v10 / __v2;
-        let __v12 = __v0 * __v11;
-        let __v13 = __v10 / __v6;
-        let __v14 = __v6 * __v6;
-        let __v15 = __v10 / __v14;
-        let __v16 = -__v12;
-        [__v0, __v6, __v7, __v9, __v11, __v12, __v13, __v15, __v16]
-    }
-    /// As calls compute: what is the same in both is so to the last bit.
-    fn __prepare_for_machine(
-        __m: &SliderCrank<T>,
-        __modes: &[::linkage::__private::AssemblyMode; 1],
-        __turns: &::linkage::__private::Turns<T, 0, 1>,
-    ) -> [T; 9] {
-        ::linkage::__private::single(
-            &__SliderCrankPreparing {
-                __m,
-                __modes,
-                __turns,
-            },
-            [],
-        )
-    }
-    fn __gaps<const __FUSED: ::core::primitive::bool>(
-        __m: &SliderCrank<T>,
-        __modes: &[::linkage::__private::AssemblyMode; 1],
-        __prepared: &[T; 9],
-        __x: [T; 1],
-    ) -> [T; 1] {
-        let __v0 = __prepared[1];
-        let __v1 = __m.offset;
-        let __v2 = __m.crank;
-        let __v3 = __x[0];
-        let (__v4, __v5) = T::sin_cos_with::<__FUSED>(__v3);
-        let __v6 = T::mul_add::<__FUSED>(-__v2, __v4, __v1);
-        let __v7 = __v0 - __v6;
-        let __v8 = __v0 + __v6;
-        let __v9 = __prepared[2];
-        let __v10 = __v2 * __v5;
-        let __v11 = T::abs(__v10);
-        let __v12 = __v11 + __v0;
-        let __v13 = __v9 * __v12;
-        let __v14 = T::mul_add::<__FUSED>(__v7, __v8, __v13);
-        let __v15 = T::from_f64(0.0f64);
-        let __v16 = T::abs(__v6);
-        let __v17 = __v16 - __v0;
-        let __v18 = T::from_f64(2.2250738585072014e-308f64);
-        let __v19 = T::max(__v17, __v18);
-        let __v20 = T::select(__v14, __v15, __v19);
-        [__v20]
-    }
-}
-struct __SliderCrankPreparing<'a, T> {
-    __m: &'a SliderCrank<T>,
-    __modes: &'a [::linkage::__private::AssemblyMode; 1],
-    __turns: &'a ::linkage::__private::Turns<T, 0, 1>,
-}
-impl<T: ::linkage::__private::Scalar> ::linkage::__private::Single<T, [T; 9], 0>
-for __SliderCrankPreparing<'_, T> {
-    #[inline(always)]
-    fn at<const __FUSED: ::core::primitive::bool>(&self, []: [T; 0]) -> [T; 9] {
-        SliderCrankAssembly::__prepare::<__FUSED>(self.__m, self.__modes, self.__turns)
-    }
-}
-impl<T: ::linkage::__private::Scalar> SliderCrankAssembly<T> {
-    /// The smallest margin, the slack of every group, and where every unknown is.
-    fn __survey<const __FUSED: ::core::primitive::bool>(&self, __x: [T; 1]) -> [T; 5] {
-        let __x: [T; 1] = __x;
-        let __SliderCrankCore { __mechanism: __m, __modes, __prepared, .. } = ::linkage::__private::Sealed::core(
-            &self.__sealed,
-        );
-        let __v0 = T::from_f64(1.0f64);
-        let __v1 = __prepared[6];
-        let __v2 = __prepared[1];
-        let __v3 = __m.offset;
-        let __v4 = __m.crank;
-        let __v5 = __x[0];
-        let (__v6, __v7) = T::sin_cos_with::<__FUSED>(__v5);
-        let __v8 = T::mul_add::<__FUSED>(-__v4, __v6, __v3);
-        let __v9 = __v2 - __v8;
-        let __v10 = __v2 + __v8;
-        let __v11 = __v9 * __v10;
-        let __v12 = __prepared[2];
-        let __v13 = __v4 * __v7;
-        let __v14 = T::abs(__v13);
-        let __v15 = __v14 + __v2;
-        let __v16 = T::root_with::<__FUSED>(__v11, __v12, __v15);
-        let __v17 = __v1 * __v16;
-        let __v18 = T::min(__v0, __v17);
-        let __v19 = __prepared[7];
-        let __v20 = __v19 * __v11;
-        let __v21 = __prepared[8];
-        let __v22 = __v21 * __v16;
-        let __v23 = __prepared[4];
-        let __v24 = T::select(__v16, __v8, __v16);
-        let __v25 = __v23 * __v24;
-        let __v26 = __prepared[0];
-        let __v27 = T::mul_add::<__FUSED>(-__v26, __v16, __v13);
-        [__v18, __v20, __v22, __v25, __v27]
-    }
-    fn __without_starts(__of: &SliderCrankAssembly<::core::primitive::f64>) -> Self {
-        let __SliderCrankCore { __mechanism, __modes, __turns, .. } = ::linkage::__private::Sealed::core(
-            &__of.__sealed,
-        );
-        let (__m, __modes, __turns) = (
-            &__mechanism.cast::<T>(),
-            *__modes,
-            __turns.cast::<T>(),
-        );
-        let __prepared = Self::__prepare_for_machine(__m, &__modes, &__turns);
-        Self {
-            __sealed: ::linkage::__private::Sealed::new(
-                __SliderCrankCore {
-                    __mechanism: *__m,
-                    __modes,
-                    __turns,
-                    __prepared,
-                },
-                (),
-            ),
-        }
-    }
-}
-impl SliderCrankAssembly<::core::primitive::f64> {
-    fn __surveyor(
-        __m: &SliderCrank<::core::primitive::f64>,
-        __chosen_modes: &[::linkage::__private::AssemblyMode],
-        __chosen_starts: &[::linkage::__private::Start],
-        __at: [::core::primitive::f64; 1],
-    ) -> Self {
-        let __modes: [::linkage::__private::AssemblyMode; 1] = ::core::array::from_fn(|
-            __k|
-        __chosen_modes[__k]);
-        let __turns = ::linkage::__private::Turns::at_estimates([]);
-        let __prepared = Self::__prepare_for_machine(__m, &__modes, &__turns);
-        Self {
-            __sealed: ::linkage::__private::Sealed::new(
-                __SliderCrankCore {
-                    __mechanism: *__m,
-                    __modes,
-                    __turns,
-                    __prepared,
-                },
-                (),
-            ),
-        }
-    }
-}
-impl ::linkage::__private::Compiled<3, 1> for SliderCrank<::core::primitive::f64> {
-    type Assembly = SliderCrankAssembly<::core::primitive::f64>;
-    type Survey = [::core::primitive::f64; 5];
-    type Programs = ::linkage::__private::NoPrograms;
-    const NAME: &'static ::core::primitive::str = "SliderCrank";
-    const INPUTS: &'static [::linkage::__private::Input] = Self::INPUTS;
-    const GROUPS: &'static [::linkage::__private::Group] = Self::STRUCTURE.groups;
-    const LEVELS: &'static [::linkage::__private::Level] = &[
-        ::linkage::__private::Level::Modes(0),
-    ];
-    fn surveyor(
-        &self,
-        __modes: &[::linkage::__private::AssemblyMode],
-        __starts: &[::linkage::__private::Start],
-        __at: [::core::primitive::f64; 1],
-    ) -> SliderCrankAssembly<::core::primitive::f64> {
-        SliderCrankAssembly::__surveyor(self, __modes, __starts, __at)
-    }
-    fn survey(
-        __assembly: &SliderCrankAssembly<::core::primitive::f64>,
-        __at: [::core::primitive::f64; 1],
-    ) -> [::core::primitive::f64; 5] {
-        __assembly.__survey::<{ ::linkage::__private::FUSED }>(__at)
-    }
-}
-impl ::linkage::__private::OneInput<3> for SliderCrank<::core::primitive::f64> {
-    const UNKNOWNS: &'static [::linkage::__private::SurveyedUnknown] = &[
-        ::linkage::__private::SurveyedUnknown {
-            name: "theta",
-            unit: "",
-            angle: true,
-            numbers: 2,
-        },
-        ::linkage::__private::SurveyedUnknown {
-            name: "slide",
-            unit: "mm",
-            angle: false,
-            numbers: 1,
-        },
-    ];
-    const COUNTS: [::core::primitive::usize; 2] = [1, 0];
-    fn bounds(
-        __assembly: &SliderCrankAssembly<::core::primitive::f64>,
-        __number: ::core::primitive::usize,
-    ) -> ::linkage::__private::Bounds<'static> {
-        let __bounds = SliderCrankAssembly::<
-            ::linkage::__private::Enclosure,
-        >::__without_starts(__assembly);
-        ::linkage::__private::Box::new(move |__x| {
-            __bounds.__survey::<{ ::linkage::__private::FUSED }>([__x])[__number]
-        })
-    }
-    fn assembled(
-        &self,
-        __chosen: &::linkage::__private::Chosen,
-        __at: ::core::primitive::f64,
-    ) -> ::core::result::Result<
-        SliderCrankAssembly<::core::primitive::f64>,
-        ::linkage::__private::AssemblyError,
-    > {
-        let __modes = &__chosen.modes;
-        let __modes: [::linkage::__private::AssemblyMode; 1] = ::core::array::from_fn(|
-            __k|
-        __modes[__k]);
-        SliderCrankAssembly::__assemble(self, __modes, [__at])
-    }
-    fn check(
-        &self,
-        __at: ::core::primitive::f64,
-    ) -> ::core::result::Result<(), ::linkage::__private::AssemblyError> {
-        self.assemblies_at(__at).map(|_| ())
-    }
-}
-impl SliderCrank<::core::primitive::f64> {
-    /// Every assembly over the range of the input (a turn about the reference where an angle has none): how far each
-    /// reaches, its turning points, and where its margin is smallest.
-    ///
-    /// # Errors
-    ///
-    /// As `assemblies()`, if it fails at every position.
-    #[inline]
-    pub fn circuits(
-        &self,
-    ) -> ::core::result::Result<
-        ::linkage::__private::Circuits<SliderCrankAssembly<::core::primitive::f64>>,
-        ::linkage::__private::AssemblyError,
-    > {
-        ::linkage::__private::circuits_of(
-            self,
-            &::linkage::__private::Cycle {
-                low: 0.0f64,
-                high: 6.283185307179586f64,
-                angle: true,
-                samples: 73,
-            },
-        )
-    }
-}
-impl SliderCrankAssembly<::core::primitive::f64> {
-    /// Searches the declared range for change points, dead points and gaps, as the compiler does for the default
-    /// dimensions. An angle without a range is searched for change points over a turn about its reference.
-    #[must_use]
-    pub fn check_range(&self) -> ::linkage::__private::RangeReport {
-        ::linkage::__private::check_range(
-            &::linkage::__private::Ranged {
-                mechanism: "SliderCrank",
-                inputs: SliderCrank::<::core::primitive::f64>::INPUTS,
-                groups: SliderCrank::<::core::primitive::f64>::STRUCTURE.groups,
-                slacks: &[::linkage::__private::Slack::Number],
-                units: &["mm"],
-                repeats: true,
-            },
-            &|__x| ::core::convert::From::from(
-                self
-                    .__survey::<
-                        { ::linkage::__private::FUSED },
-                    >(
-                        ::core::array::from_fn::<
-                            ::core::primitive::f64,
-                            1,
-                            _,
-                        >(|__k| __x[__k]),
-                    ),
-            ),
-            &|__x| {
-                let __SliderCrankCore { __mechanism: __m, __modes, __prepared, .. } = ::linkage::__private::Sealed::core(
-                    &self.__sealed,
-                );
-                ::core::convert::From::from(
-                    Self::__gaps::<
-                        { ::linkage::__private::FUSED },
-                    >(
-                        __m,
-                        __modes,
-                        __prepared,
-                        ::core::array::from_fn::<
-                            ::core::primitive::f64,
-                            1,
-                            _,
-                        >(|__k| __x[__k]),
-                    ),
-                )
-            },
-        )
-    }
-}
-impl<T: ::linkage::__private::Scalar> SliderCrank<T> {
-    /// These dimensions in the assembly of a mechanism with others: it is followed along the straight way from those to these, at
-    /// the reference inputs, in steps too small to leave it. Each lane of `T` has a way of its own; it is followed in `f64`, on
-    /// real parts, and the assembly has the digits and derivatives of `T` as one from `assemble()` has.
-    ///
-    /// # Errors
-    ///
-    /// `Blocked` where the assembly ends on the way, in one lane at least; what `assemble()` says of these dimensions.
-    pub fn assemble_from(
-        &self,
-        __assembly: &SliderCrankAssembly<T>,
-    ) -> ::core::result::Result<
-        SliderCrankAssembly<T>,
-        ::linkage::__private::AssemblyError,
-    > {
-        SliderCrankAssembly::__finite(self)?;
-        for __lane in 0..T::LANES {
-            let __to = SliderCrank::__lane(self, __lane);
-            let __path = ::linkage::__private::MechanismPath::new(
-                &SliderCrank::__lane(
-                    &::linkage::__private::Sealed::core(&__assembly.__sealed)
-                        .__mechanism,
-                    __lane,
-                ),
-                &__to,
-                &::linkage::__private::Sealed::core(&__assembly.__sealed).__modes,
-                [0.5235987755982989f64],
-            );
-            ::linkage::__private::follow_way(&__path, ::linkage::__private::Vec::new())?;
-        }
-        ::linkage::__private::explained(
-            SliderCrankAssembly::__assemble(
-                self,
-                ::linkage::__private::Sealed::core(&__assembly.__sealed).__modes,
-                [T::from_f64(0.5235987755982989f64)],
-            ),
-            SliderCrank::<::core::primitive::f64>::PARAMETERS,
-            || self.__values(),
-        )
-    }
-}
 mod __SliderCrank_stroke {
     use super::*;
     /// What `SliderCrankAssembly::stroke` returns.
@@ -791,8 +87,727 @@ mod __SliderCrank_stroke {
         /// `a`: second derivative of `slide` by `phi`, in mm/rad^2.
         pub a: T,
     }
-    impl<T: ::linkage::__private::Scalar> ::linkage::__private::ResultRow<T, 3>
-    for Stroke<T> {
+    /// Many `Stroke` values, one column for each number.
+    #[derive(::core::clone::Clone, ::core::cmp::PartialEq, ::core::fmt::Debug)]
+    pub struct StrokeColumns<T = ::core::primitive::f64>(
+        pub(super) ::linkage::__private::ResultColumns<T, Stroke<T>, 3>,
+    );
+}
+pub use __SliderCrank_stroke::Stroke;
+pub use __SliderCrank_stroke::StrokeColumns;
+mod __SliderCrank_accuracy {
+    use super::*;
+    /// What `SliderCrankAssembly::accuracy` returns.
+    #[derive(
+        ::core::clone::Clone,
+        ::core::marker::Copy,
+        ::core::fmt::Debug,
+        ::core::cmp::PartialEq
+    )]
+    pub struct Accuracy<T = ::core::primitive::f64> {
+        /// `slide`, in mm.
+        pub slide: T,
+        /// `e`: derivatives of `slide` by each of `PARAMETERS`, in mm/mm.
+        pub e: [T; 3],
+        /// `margin`: how far the nearest group is from a dead point, at most 1.
+        pub margin: T,
+    }
+    /// Many `Accuracy` values, one column for each number.
+    #[derive(::core::clone::Clone, ::core::cmp::PartialEq, ::core::fmt::Debug)]
+    pub struct AccuracyColumns<T = ::core::primitive::f64>(
+        pub(super) ::linkage::__private::ResultColumns<T, Accuracy<T>, 5>,
+    );
+}
+pub use __SliderCrank_accuracy::Accuracy;
+pub use __SliderCrank_accuracy::AccuracyColumns;
+mod __SliderCrank_shape {
+    use super::*;
+    /// What `SliderCrankAssembly::shape` returns.
+    #[derive(::core::clone::Clone, ::core::marker::Copy, ::core::cmp::PartialEq)]
+    pub struct Shape<T = ::core::primitive::f64> {
+        /// `shape`: points of `PICTURE` in mm, then its unit vectors.
+        pub shape: [::linkage::__private::Vector2<T>; 5],
+    }
+    /// Many `Shape` values, one column for each number.
+    #[derive(::core::clone::Clone, ::core::cmp::PartialEq, ::core::fmt::Debug)]
+    pub struct ShapeColumns<T = ::core::primitive::f64>(
+        pub(super) ::linkage::__private::ResultColumns<T, Shape<T>, 10>,
+    );
+}
+pub use __SliderCrank_shape::Shape;
+pub use __SliderCrank_shape::ShapeColumns;
+const _: () = {
+    use ::linkage::__private as __p;
+    #[automatically_derived]
+    impl ::core::default::Default for SliderCrank<__p::f64> {
+        fn default() -> Self {
+            Self {
+                crank: 40.0f64,
+                rod: 120.0f64,
+                offset: 5.0f64,
+            }
+        }
+    }
+    impl SliderCrank<__p::f64> {
+        /// The same dimensions in another scalar type: single precision, lanes, dual numbers.
+        #[must_use]
+        pub fn cast<U: __p::Scalar>(&self) -> SliderCrank<U> {
+            SliderCrank {
+                crank: <U as __p::Scalar>::from_f64(self.crank),
+                rod: <U as __p::Scalar>::from_f64(self.rod),
+                offset: <U as __p::Scalar>::from_f64(self.offset),
+            }
+        }
+    }
+    impl<T: __p::Scalar> SliderCrank<T> {
+        /// The dimensions of one lane.
+        fn __lane(&self, __lane: __p::usize) -> SliderCrank<__p::f64> {
+            SliderCrank {
+                crank: T::lane(self.crank, __lane),
+                rod: T::lane(self.rod, __lane),
+                offset: T::lane(self.offset, __lane),
+            }
+        }
+    }
+    impl<T: __p::Scalar> SliderCrank<T> {
+        /// The dimensions, which are the first numbers of a row.
+        #[inline(always)]
+        fn __of_row(__row: &impl __p::RowNumbers<T>) -> Self {
+            SliderCrank {
+                crank: __row.number(0),
+                rod: __row.number(1),
+                offset: __row.number(2),
+            }
+        }
+    }
+    impl SliderCrank<__p::f64> {
+        /// The inputs in declaration order, with their reference positions and ranges.
+        pub const INPUTS: &'static [__p::Input] = &[
+            __p::Input {
+                name: "phi",
+                unit: "rad",
+                reference: 0.5235987755982989f64,
+                range: __p::Some((0.0f64, 6.283185307179586f64)),
+            },
+        ];
+        /// The scalar parameters in declaration order, with the defaults and tolerances of the declaration, in
+        /// the units of the fields.
+        pub const PARAMETERS: &'static [__p::Parameter] = &[
+            __p::parameter("crank", "mm", 40.0f64, 0.01f64),
+            __p::parameter("rod", "mm", 120.0f64, 0.02f64),
+            __p::parameter("offset", "mm", 5.0f64, 0.05f64),
+        ];
+        /// The groups in the order in which they are solved, their methods, and operation counts.
+        pub const STRUCTURE: &'static __p::Structure = &__p::Structure {
+            mobility: 1,
+            groups: &[
+                __p::Group {
+                    class: 2u8,
+                    order: 2u8,
+                    kind: "RRP",
+                    loops: &[1],
+                    unknowns: &["theta", "slide"],
+                    mode: __p::Some(0),
+                    method: "intersection of a circle and a line, by the distance from the line",
+                },
+            ],
+            functions: &[
+                __p::FunctionInfo {
+                    name: "stroke",
+                    operations: __p::operations([
+                        9u32, 11u32, 1u32, 1u32, 1u32, 0u32, 3u32,
+                    ]),
+                },
+                __p::FunctionInfo {
+                    name: "accuracy",
+                    operations: __p::operations([
+                        7u32, 12u32, 1u32, 1u32, 1u32, 0u32, 4u32,
+                    ]),
+                },
+                __p::FunctionInfo {
+                    name: "shape",
+                    operations: __p::operations([
+                        5u32, 4u32, 0u32, 1u32, 1u32, 0u32, 1u32,
+                    ]),
+                },
+            ],
+            prepare: __p::operations([1u32, 3u32, 4u32, 0u32, 0u32, 0u32, 4u32]),
+        };
+        /// Index of `crank` in `PARAMETERS` and in the arrays of `sensitivity`.
+        pub const INDEX_CRANK: __p::usize = 0;
+        /// Index of `rod` in `PARAMETERS` and in the arrays of `sensitivity`.
+        pub const INDEX_ROD: __p::usize = 1;
+        /// Index of `offset` in `PARAMETERS` and in the arrays of `sensitivity`.
+        pub const INDEX_OFFSET: __p::usize = 2;
+    }
+    impl SliderCrank<__p::f64> {
+        /// What the vectors of the quantity `picture()` are: points, links, guides.
+        pub const PICTURE: &'static __p::Picture = &__p::Picture {
+            dimension: 2,
+            points: &[
+                __p::PicturePoint {
+                    name: "crank/frame",
+                    kind: __p::PointKind::Ground,
+                },
+                __p::PicturePoint {
+                    name: "pin",
+                    kind: __p::PointKind::Joint,
+                },
+                __p::PicturePoint {
+                    name: "guide of slide",
+                    kind: __p::PointKind::Construction,
+                },
+                __p::PicturePoint {
+                    name: "slider",
+                    kind: __p::PointKind::Joint,
+                },
+            ],
+            directions: &["along slide"],
+            links: &[
+                __p::PictureLink {
+                    name: "crank",
+                    points: &[0, 1],
+                },
+                __p::PictureLink {
+                    name: "rod",
+                    points: &[1, 3],
+                },
+            ],
+            guides: &[
+                __p::Guide {
+                    name: "slide",
+                    origin: 2,
+                    direction: 0,
+                    slider: 3,
+                    on: __p::GuideOn::Frame,
+                    shape: __p::GuideShape::Slot,
+                },
+            ],
+            axes: &[],
+            joints: &[
+                __p::PictureJoint {
+                    point: 0,
+                    shape: __p::JointShape::Pin,
+                },
+                __p::PictureJoint {
+                    point: 1,
+                    shape: __p::JointShape::Pin,
+                },
+                __p::PictureJoint {
+                    point: 3,
+                    shape: __p::JointShape::Pin,
+                },
+                __p::PictureJoint {
+                    point: 3,
+                    shape: __p::JointShape::Slide,
+                },
+            ],
+            gears: &[],
+            drives: &[
+                __p::Drive {
+                    input: 0,
+                    on: __p::DriveOn::Turn([0, 1]),
+                },
+            ],
+            undrawn: &[],
+            parts: &[],
+        };
+    }
+    #[automatically_derived]
+    impl __p::Dimensions<3> for SliderCrank<__p::f64> {
+        const PARAMETERS: &'static [__p::Parameter] = Self::PARAMETERS;
+        fn from_values(__values: &[__p::f64; 3]) -> Self {
+            SliderCrank {
+                crank: __values[0],
+                rod: __values[1],
+                offset: __values[2],
+            }
+        }
+        fn values(&self) -> [__p::f64; 3] {
+            self.__values()
+        }
+    }
+    impl<T: __p::Scalar> SliderCrank<T> {
+        /// The scalar dimensions in the order of `PARAMETERS`.
+        #[inline(always)]
+        fn __values(&self) -> [T; 3] {
+            [self.crank, self.rod, self.offset]
+        }
+    }
+    impl<T> SliderCrankAssembly<T> {
+        /// The dimensions that it was assembled with.
+        #[must_use]
+        pub const fn mechanism(&self) -> &SliderCrank<T> {
+            &__p::Sealed::core(&self.__sealed).__mechanism
+        }
+        /// The assembly mode of each group that has two; `STRUCTURE` says which group is which.
+        #[must_use]
+        pub const fn modes(&self) -> &[__p::AssemblyMode; 1] {
+            &__p::Sealed::core(&self.__sealed).__modes
+        }
+    }
+    impl<T: __p::Scalar> SliderCrank<T> {
+        /// Closes the loops at the reference inputs in the assembly mode that the start estimates choose, and
+        /// computes what depends on the dimensions alone.
+        ///
+        /// # Errors
+        ///
+        /// Says which loop cannot close and by how much it misses, or has no finite solution, or which angle cannot be
+        /// followed through the range.
+        #[doc(alias = "stroke")]
+        #[doc(alias = "stroke_sweep")]
+        #[doc(alias = "accuracy")]
+        #[doc(alias = "accuracy_sweep")]
+        #[doc(alias = "shape")]
+        #[doc(alias = "shape_sweep")]
+        pub fn assemble(
+            &self,
+        ) -> __p::Result<SliderCrankAssembly<T>, __p::AssemblyError> {
+            __p::explained(
+                SliderCrankAssembly::__assemble(
+                    self,
+                    [__p::AssemblyMode::Minus],
+                    [T::from_f64(0.5235987755982989f64)],
+                ),
+                SliderCrank::<__p::f64>::PARAMETERS,
+                || self.__values(),
+            )
+        }
+    }
+    impl<T: __p::Scalar> SliderCrank<T> {
+        /// Every real assembly at the reference inputs, each ready to evaluate; the one that the start
+        /// estimates choose comes first if it is real. The list is empty if no assembly is.
+        ///
+        /// # Errors
+        ///
+        /// Fails if a dimension is not a finite number, if there are more than 16 groups with two modes, or if the assemblies of a
+        /// group without a closed form cannot be listed or followed.
+        pub fn assemblies(
+            &self,
+        ) -> __p::Result<__p::Vec<SliderCrankAssembly<T>>, __p::AssemblyError> {
+            __p::explained(
+                __p::assemblies(
+                    "SliderCrank",
+                    [__p::AssemblyMode::Minus],
+                    |__modes| {
+                        SliderCrankAssembly::__assemble(
+                                self,
+                                __modes,
+                                [T::from_f64(0.5235987755982989f64)],
+                            )
+                            .map(|__assembly| __p::one(__assembly))
+                    },
+                ),
+                SliderCrank::<__p::f64>::PARAMETERS,
+                || self.__values(),
+            )
+        }
+        /// Every real assembly at the given inputs, each ready to evaluate; the one that the start estimates
+        /// choose comes first if it is real there.
+        ///
+        /// # Errors
+        ///
+        /// As `assemblies()`.
+        pub fn assemblies_at(
+            &self,
+            phi: T,
+        ) -> __p::Result<__p::Vec<SliderCrankAssembly<T>>, __p::AssemblyError> {
+            __p::explained(
+                __p::assemblies(
+                    "SliderCrank",
+                    [__p::AssemblyMode::Minus],
+                    |__modes| {
+                        SliderCrankAssembly::__assemble(self, __modes, [phi])
+                            .map(|__assembly| __p::one(__assembly))
+                    },
+                ),
+                SliderCrank::<__p::f64>::PARAMETERS,
+                || self.__values(),
+            )
+        }
+    }
+    impl<T: __p::Scalar> SliderCrankAssembly<T> {
+        fn __assemble(
+            __m: &SliderCrank<T>,
+            __modes: [__p::AssemblyMode; 1],
+            __at: [T; 1],
+        ) -> __p::Result<Self, __p::AssemblyError> {
+            Self::__finite(__m)?;
+            let __turns: __p::Turns<T, 0, 1> = __p::Turns {
+                centres: [],
+                windings: [],
+            };
+            let __prepared = Self::__prepare_for_machine(__m, &__modes, &__turns);
+            Self::__close(__m, &__modes, &__prepared, __at)?;
+            __p::Ok(Self {
+                __sealed: __p::Sealed::new(
+                    __SliderCrankCore {
+                        __mechanism: *__m,
+                        __modes,
+                        __turns,
+                        __prepared,
+                    },
+                    (),
+                ),
+            })
+        }
+        fn __finite(__m: &SliderCrank<T>) -> __p::Result<(), __p::AssemblyError> {
+            __p::finite(
+                "SliderCrank",
+                SliderCrank::<__p::f64>::PARAMETERS,
+                &[0, 1, 2],
+                &__m.__values(),
+            )
+        }
+        fn __close(
+            __m: &SliderCrank<T>,
+            __modes: &[__p::AssemblyMode; 1],
+            __prepared: &[T; 9],
+            __x: [T; 1],
+        ) -> __p::Result<(), __p::AssemblyError> {
+            let __gaps = Self::__gaps::<{ __p::FUSED }>(__m, __modes, __prepared, __x);
+            __p::close(
+                "SliderCrank",
+                SliderCrank::<__p::f64>::STRUCTURE.groups,
+                &["mm"],
+                &__gaps,
+            )
+        }
+        #[inline(always)]
+        fn __prepare<const __FUSED: __p::bool>(
+            __m: &SliderCrank<T>,
+            __modes: &[__p::AssemblyMode; 1],
+            __turns: &__p::Turns<T, 0, 1>,
+        ) -> [T; 9] {
+            let __v0 = T::from_f64(__p::AssemblyMode::sign(__modes[0]));
+            let __v1 = T::from_f64(1.7976931348623157e308f64);
+            let __v2 = __m.rod;
+            let __v3 = T::abs(__v2);
+            let __v4 = T::mul_add::<__FUSED>(-__v3, __v3, __v1);
+            let __v5 = T::from_f64(__p::f64::NAN);
+            let __v6 = T::unless_negative(__v4, __v3);
+            let __v7 = T::slack(__v6);
+            let __v8 = T::from_f64((-1.0f64));
+            let __v9 = __v8 / __v0;
+            let __v10 = T::from_f64(1.0f64);
+            let __v11 = __v10 / __v2;
+            let __v12 = __v0 * __v11;
+            let __v13 = __v10 / __v6;
+            let __v14 = __v6 * __v6;
+            let __v15 = __v10 / __v14;
+            let __v16 = -__v12;
+            [__v0, __v6, __v7, __v9, __v11, __v12, __v13, __v15, __v16]
+        }
+        /// As calls compute: what is the same in both is so to the last bit.
+        fn __prepare_for_machine(
+            __m: &SliderCrank<T>,
+            __modes: &[__p::AssemblyMode; 1],
+            __turns: &__p::Turns<T, 0, 1>,
+        ) -> [T; 9] {
+            __p::single(
+                &__SliderCrankPreparing {
+                    __m,
+                    __modes,
+                    __turns,
+                },
+                [],
+            )
+        }
+        fn __gaps<const __FUSED: __p::bool>(
+            __m: &SliderCrank<T>,
+            __modes: &[__p::AssemblyMode; 1],
+            __prepared: &[T; 9],
+            __x: [T; 1],
+        ) -> [T; 1] {
+            let __v0 = __prepared[1];
+            let __v1 = __m.offset;
+            let __v2 = __m.crank;
+            let __v3 = __x[0];
+            let (__v4, __v5) = T::sin_cos_with::<__FUSED>(__v3);
+            let __v6 = T::mul_add::<__FUSED>(-__v2, __v4, __v1);
+            let __v7 = __v0 - __v6;
+            let __v8 = __v0 + __v6;
+            let __v9 = __prepared[2];
+            let __v10 = __v2 * __v5;
+            let __v11 = T::abs(__v10);
+            let __v12 = __v11 + __v0;
+            let __v13 = __v9 * __v12;
+            let __v14 = T::mul_add::<__FUSED>(__v7, __v8, __v13);
+            let __v15 = T::from_f64(0.0f64);
+            let __v16 = T::abs(__v6);
+            let __v17 = __v16 - __v0;
+            let __v18 = T::from_f64(2.2250738585072014e-308f64);
+            let __v19 = T::max(__v17, __v18);
+            let __v20 = T::select(__v14, __v15, __v19);
+            [__v20]
+        }
+    }
+    struct __SliderCrankPreparing<'a, T> {
+        __m: &'a SliderCrank<T>,
+        __modes: &'a [__p::AssemblyMode; 1],
+        __turns: &'a __p::Turns<T, 0, 1>,
+    }
+    impl<T: __p::Scalar> __p::Single<T, [T; 9], 0> for __SliderCrankPreparing<'_, T> {
+        #[inline(always)]
+        fn at<const __FUSED: __p::bool>(&self, []: [T; 0]) -> [T; 9] {
+            SliderCrankAssembly::__prepare::<
+                __FUSED,
+            >(self.__m, self.__modes, self.__turns)
+        }
+    }
+    impl<T: __p::Scalar> SliderCrankAssembly<T> {
+        /// The smallest margin, the slack of every group, and where every unknown is.
+        fn __survey<const __FUSED: __p::bool>(&self, __x: [T; 1]) -> [T; 5] {
+            let __x: [T; 1] = __x;
+            let __SliderCrankCore { __mechanism: __m, __modes, __prepared, .. } = __p::Sealed::core(
+                &self.__sealed,
+            );
+            let __v0 = T::from_f64(1.0f64);
+            let __v1 = __prepared[6];
+            let __v2 = __prepared[1];
+            let __v3 = __m.offset;
+            let __v4 = __m.crank;
+            let __v5 = __x[0];
+            let (__v6, __v7) = T::sin_cos_with::<__FUSED>(__v5);
+            let __v8 = T::mul_add::<__FUSED>(-__v4, __v6, __v3);
+            let __v9 = __v2 - __v8;
+            let __v10 = __v2 + __v8;
+            let __v11 = __v9 * __v10;
+            let __v12 = __prepared[2];
+            let __v13 = __v4 * __v7;
+            let __v14 = T::abs(__v13);
+            let __v15 = __v14 + __v2;
+            let __v16 = T::root_with::<__FUSED>(__v11, __v12, __v15);
+            let __v17 = __v1 * __v16;
+            let __v18 = T::min(__v0, __v17);
+            let __v19 = __prepared[7];
+            let __v20 = __v19 * __v11;
+            let __v21 = __prepared[8];
+            let __v22 = __v21 * __v16;
+            let __v23 = __prepared[4];
+            let __v24 = T::select(__v16, __v8, __v16);
+            let __v25 = __v23 * __v24;
+            let __v26 = __prepared[0];
+            let __v27 = T::mul_add::<__FUSED>(-__v26, __v16, __v13);
+            [__v18, __v20, __v22, __v25, __v27]
+        }
+        fn __without_starts(__of: &SliderCrankAssembly<__p::f64>) -> Self {
+            let __SliderCrankCore { __mechanism, __modes, __turns, .. } = __p::Sealed::core(
+                &__of.__sealed,
+            );
+            let (__m, __modes, __turns) = (
+                &__mechanism.cast::<T>(),
+                *__modes,
+                __turns.cast::<T>(),
+            );
+            let __prepared = Self::__prepare_for_machine(__m, &__modes, &__turns);
+            Self {
+                __sealed: __p::Sealed::new(
+                    __SliderCrankCore {
+                        __mechanism: *__m,
+                        __modes,
+                        __turns,
+                        __prepared,
+                    },
+                    (),
+                ),
+            }
+        }
+    }
+    impl SliderCrankAssembly<__p::f64> {
+        fn __surveyor(
+            __m: &SliderCrank<__p::f64>,
+            __chosen_modes: &[__p::AssemblyMode],
+            __chosen_starts: &[__p::Start],
+            __at: [__p::f64; 1],
+        ) -> Self {
+            let __modes: [__p::AssemblyMode; 1] = ::core::array::from_fn(|__k| {
+                __chosen_modes[__k]
+            });
+            let __turns = __p::Turns::at_estimates([]);
+            let __prepared = Self::__prepare_for_machine(__m, &__modes, &__turns);
+            Self {
+                __sealed: __p::Sealed::new(
+                    __SliderCrankCore {
+                        __mechanism: *__m,
+                        __modes,
+                        __turns,
+                        __prepared,
+                    },
+                    (),
+                ),
+            }
+        }
+    }
+    impl __p::Compiled<3, 1> for SliderCrank<__p::f64> {
+        type Assembly = SliderCrankAssembly<__p::f64>;
+        type Survey = [__p::f64; 5];
+        type Programs = __p::NoPrograms;
+        const NAME: &'static __p::str = "SliderCrank";
+        const INPUTS: &'static [__p::Input] = Self::INPUTS;
+        const GROUPS: &'static [__p::Group] = Self::STRUCTURE.groups;
+        const LEVELS: &'static [__p::Level] = &[__p::Level::Modes(0)];
+        fn surveyor(
+            &self,
+            __modes: &[__p::AssemblyMode],
+            __starts: &[__p::Start],
+            __at: [__p::f64; 1],
+        ) -> SliderCrankAssembly<__p::f64> {
+            SliderCrankAssembly::__surveyor(self, __modes, __starts, __at)
+        }
+        fn survey(
+            __assembly: &SliderCrankAssembly<__p::f64>,
+            __at: [__p::f64; 1],
+        ) -> [__p::f64; 5] {
+            __assembly.__survey::<{ __p::FUSED }>(__at)
+        }
+    }
+    impl __p::OneInput<3> for SliderCrank<__p::f64> {
+        const UNKNOWNS: &'static [__p::SurveyedUnknown] = &[
+            __p::SurveyedUnknown {
+                name: "theta",
+                unit: "",
+                angle: true,
+                numbers: 2,
+            },
+            __p::SurveyedUnknown {
+                name: "slide",
+                unit: "mm",
+                angle: false,
+                numbers: 1,
+            },
+        ];
+        const COUNTS: [__p::usize; 2] = [1, 0];
+        fn bounds(
+            __assembly: &SliderCrankAssembly<__p::f64>,
+            __number: __p::usize,
+        ) -> __p::Bounds<'static> {
+            let __bounds = SliderCrankAssembly::<
+                __p::Enclosure,
+            >::__without_starts(__assembly);
+            __p::Box::new(move |__x| {
+                __bounds.__survey::<{ __p::FUSED }>([__x])[__number]
+            })
+        }
+        fn assembled(
+            &self,
+            __chosen: &__p::Chosen,
+            __at: __p::f64,
+        ) -> __p::Result<SliderCrankAssembly<__p::f64>, __p::AssemblyError> {
+            let __modes = &__chosen.modes;
+            let __modes: [__p::AssemblyMode; 1] = ::core::array::from_fn(|__k| {
+                __modes[__k]
+            });
+            SliderCrankAssembly::__assemble(self, __modes, [__at])
+        }
+        fn check(&self, __at: __p::f64) -> __p::Result<(), __p::AssemblyError> {
+            self.assemblies_at(__at).map(|_| ())
+        }
+    }
+    impl SliderCrank<__p::f64> {
+        /// Every assembly over the range of the input (a turn about the reference where an angle has none): how far each
+        /// reaches, its turning points, and where its margin is smallest.
+        ///
+        /// # Errors
+        ///
+        /// As `assemblies()`, if it fails at every position.
+        #[inline]
+        pub fn circuits(
+            &self,
+        ) -> __p::Result<
+            __p::Circuits<SliderCrankAssembly<__p::f64>>,
+            __p::AssemblyError,
+        > {
+            __p::circuits_of(
+                self,
+                &__p::Cycle {
+                    low: 0.0f64,
+                    high: 6.283185307179586f64,
+                    angle: true,
+                    samples: 73,
+                },
+            )
+        }
+    }
+    impl SliderCrankAssembly<__p::f64> {
+        /// Searches the declared range for change points, dead points and gaps, as the compiler does for the default
+        /// dimensions. An angle without a range is searched for change points over a turn about its reference.
+        #[must_use]
+        pub fn check_range(&self) -> __p::RangeReport {
+            __p::check_range(
+                &__p::Ranged {
+                    mechanism: "SliderCrank",
+                    inputs: SliderCrank::<__p::f64>::INPUTS,
+                    groups: SliderCrank::<__p::f64>::STRUCTURE.groups,
+                    slacks: &[__p::Slack::Number],
+                    units: &["mm"],
+                    repeats: true,
+                },
+                &|__x| ::core::convert::From::from(
+                    self
+                        .__survey::<
+                            { __p::FUSED },
+                        >(::core::array::from_fn::<__p::f64, 1, _>(|__k| __x[__k])),
+                ),
+                &|__x| {
+                    let __SliderCrankCore {
+                        __mechanism: __m,
+                        __modes,
+                        __prepared,
+                        ..
+                    } = __p::Sealed::core(&self.__sealed);
+                    ::core::convert::From::from(
+                        Self::__gaps::<
+                            { __p::FUSED },
+                        >(
+                            __m,
+                            __modes,
+                            __prepared,
+                            ::core::array::from_fn::<__p::f64, 1, _>(|__k| __x[__k]),
+                        ),
+                    )
+                },
+            )
+        }
+    }
+    impl<T: __p::Scalar> SliderCrank<T> {
+        /// These dimensions in the assembly of a mechanism with others: it is followed along the straight way from those to these, at
+        /// the reference inputs, in steps too small to leave it. Each lane of `T` has a way of its own; it is followed in `f64`, on
+        /// real parts, and the assembly has the digits and derivatives of `T` as one from `assemble()` has.
+        ///
+        /// # Errors
+        ///
+        /// `Blocked` where the assembly ends on the way, in one lane at least; what `assemble()` says of these dimensions.
+        pub fn assemble_from(
+            &self,
+            __assembly: &SliderCrankAssembly<T>,
+        ) -> __p::Result<SliderCrankAssembly<T>, __p::AssemblyError> {
+            SliderCrankAssembly::__finite(self)?;
+            for __lane in 0..T::LANES {
+                let __to = SliderCrank::__lane(self, __lane);
+                let __path = __p::MechanismPath::new(
+                    &SliderCrank::__lane(
+                        &__p::Sealed::core(&__assembly.__sealed).__mechanism,
+                        __lane,
+                    ),
+                    &__to,
+                    &__p::Sealed::core(&__assembly.__sealed).__modes,
+                    [0.5235987755982989f64],
+                );
+                __p::follow_way(&__path, __p::Vec::new())?;
+            }
+            __p::explained(
+                SliderCrankAssembly::__assemble(
+                    self,
+                    __p::Sealed::core(&__assembly.__sealed).__modes,
+                    [T::from_f64(0.5235987755982989f64)],
+                ),
+                SliderCrank::<__p::f64>::PARAMETERS,
+                || self.__values(),
+            )
+        }
+    }
+    impl<T: __p::Scalar> __p::ResultRow<T, 3> for __SliderCrank_stroke::Stroke<T> {
         #[inline(always)]
         fn from_row([__row0, __row1, __row2]: [T; 3]) -> Self {
             Self {
@@ -806,25 +821,20 @@ mod __SliderCrank_stroke {
             [self.slide, self.v, self.a]
         }
     }
-    /// Many `Stroke` values, one column for each number.
-    #[derive(::core::clone::Clone, ::core::cmp::PartialEq, ::core::fmt::Debug)]
-    pub struct StrokeColumns<T = ::core::primitive::f64>(
-        pub(super) ::linkage::__private::ResultColumns<T, Stroke<T>, 3>,
-    );
     #[automatically_derived]
-    impl<T> ::core::default::Default for StrokeColumns<T> {
+    impl<T> ::core::default::Default for __SliderCrank_stroke::StrokeColumns<T> {
         fn default() -> Self {
             Self(::core::default::Default::default())
         }
     }
     #[automatically_derived]
-    impl<T> ::core::ops::Deref for StrokeColumns<T> {
-        type Target = ::linkage::__private::ResultColumns<T, Stroke<T>, 3>;
+    impl<T> ::core::ops::Deref for __SliderCrank_stroke::StrokeColumns<T> {
+        type Target = __p::ResultColumns<T, __SliderCrank_stroke::Stroke<T>, 3>;
         fn deref(&self) -> &Self::Target {
             &self.0
         }
     }
-    impl<T: ::linkage::__private::Scalar> StrokeColumns<T> {
+    impl<T: __p::Scalar> __SliderCrank_stroke::StrokeColumns<T> {
         /// Empty columns; nothing is allocated before the first sweep.
         #[must_use]
         pub fn new() -> Self {
@@ -846,285 +856,181 @@ mod __SliderCrank_stroke {
             self.0.column(2)
         }
     }
-}
-pub use __SliderCrank_stroke::Stroke;
-pub use __SliderCrank_stroke::StrokeColumns;
-impl<T: ::linkage::__private::Scalar> SliderCrankAssembly<T> {
-    /// Place of the slider; its velocity and acceleration per radian of the crank.
-    ///
-    /// Takes `phi`, in rad.
-    ///
-    /// A quantity that depends on something which cannot be assembled is NaN.
-    ///
-    /// Operations: 9 additions, 11 multiplications, 1 division, 1 square root, 1 sine-cosine pair, 3 others.
-    #[must_use]
-    #[inline]
-    pub fn stroke(&self, phi: T) -> __SliderCrank_stroke::Stroke<T> {
-        ::linkage::__private::single(self, [phi])
-    }
-}
-#[doc(hidden)]
-impl<
-    T: ::linkage::__private::Scalar,
-> ::linkage::__private::Single<T, __SliderCrank_stroke::Stroke<T>, 1>
-for SliderCrankAssembly<T> {
-    #[inline(always)]
-    fn at<const __FUSED: ::core::primitive::bool>(
-        &self,
-        [phi,
-        ]: [T; 1],
-    ) -> __SliderCrank_stroke::Stroke<T> {
-        let __x = [phi];
-        ::linkage::__private::ResultRow::from_row(
-            ::linkage::__private::once::<
-                __SliderCrank_stroke_stages,
-                T,
-                __SliderCrankCore<T>,
-                __FUSED,
-                1,
-                3,
-            >(::linkage::__private::Sealed::core(&self.__sealed), __x),
-        )
-    }
-}
-struct __SliderCrank_stroke_stages;
-impl<
-    T: ::linkage::__private::Scalar,
-> ::linkage::__private::Staged<T, __SliderCrankCore<T>, 1, 3>
-for __SliderCrank_stroke_stages {
-    const WIDE: ::core::primitive::bool = !::core::cfg!(debug_assertions);
-    type Memory<const __BLOCK: ::core::primitive::usize> = ::linkage::__private::Block<
-        T,
-        __BLOCK,
-        0,
-    >;
-    #[inline(always)]
-    fn run(
-        __stages: &mut impl ::linkage::__private::RunStages<
-            T,
-            __SliderCrankCore<T>,
-            Self,
-        >,
-    ) {
-        __stages.stage::<0>();
-    }
-}
-impl<
-    T: ::linkage::__private::Scalar,
-> ::linkage::__private::Stage<T, __SliderCrankCore<T>, 0>
-for __SliderCrank_stroke_stages {
-    #[inline(always)]
-    fn row<
-        const __FUSED: ::core::primitive::bool,
-        const __ROWS: ::core::primitive::bool,
-    >(
-        __core: &__SliderCrankCore<T>,
-        __row: &mut impl ::linkage::__private::StageRow<T>,
-    ) {
-        let __SliderCrankCore { __mechanism: __m, __modes, __prepared, .. } = __core;
-        let __input0 = __row.number(0);
-        let __v0 = __input0;
-        let (__v1, __v2) = T::sin_cos_shortest::<__FUSED, __ROWS>(__v0);
-        let __v3 = __m.crank;
-        let __v4 = __v3 * __v2;
-        let __v5 = __v3 * __v1;
-        let __v6 = __m.offset;
-        let __v7 = T::mul_add::<__FUSED>(-__v3, __v1, __v6);
-        let __v8 = __prepared[1];
-        let __v9 = __v8 - __v7;
-        let __v10 = __v8 + __v7;
-        let __v11 = __v9 * __v10;
-        let __v12 = T::abs(__v4);
-        let __v13 = __v12 + __v8;
-        let __v14 = __prepared[2];
-        let __v15 = T::root_with::<__FUSED>(__v11, __v14, __v13);
-        let __v16 = __prepared[0];
-        let __v17 = __v16 * __v15;
-        let __v18 = T::mul_add::<__FUSED>(-__v16, __v15, __v4);
-        let __v19 = T::select(__v15, __v7, __v15);
-        let __v20 = __prepared[3];
-        let __v21 = T::quotient_with::<__FUSED>(__v20, __v15);
-        let __v22 = __v4 * __v21;
-        let __v23 = __v19 * __v22;
-        let __v24 = T::mul_add::<__FUSED>(__v19, __v22, -__v5);
-        let __v25 = T::mul_add::<__FUSED>(__v22, __v23, __v5);
-        let __v26 = __v21 * __v25;
-        let __v27 = __v17 * __v22;
-        let __v28 = T::mul_add::<__FUSED>(-__v22, __v27, __v4);
-        let __v29 = T::mul_add::<__FUSED>(__v19, __v26, __v28);
-        let __v30 = -__v29;
-        __row.finish(0, __v18);
-        __row.finish(1, __v24);
-        __row.finish(2, __v30);
-    }
-    #[inline(always)]
-    fn write(__rows: &mut impl ::linkage::__private::FinishedRows) {
-        __rows.write(0);
-        __rows.write(1);
-        __rows.write(2);
-    }
-}
-impl<T: ::linkage::__private::Scalar> SliderCrankAssembly<T> {
-    fn __stroke_sweep_into(
-        &self,
-        __title: &'static ::core::primitive::str,
-        phi: &[T],
-        columns: &mut __SliderCrank_stroke::StrokeColumns<T>,
-    ) {
-        ::linkage::__private::fill_or_call(
-            &::linkage::__private::OverInputs::<
-                _,
-                __SliderCrank_stroke_stages,
-            >::new(::linkage::__private::Sealed::core(&self.__sealed)),
-            &::linkage::__private::Inputs::new(__title, ["phi"], [phi]),
-            &mut columns.0,
-            |__at| ::linkage::__private::as_in_sweeps(
-                self,
-                [::linkage::__private::in_row(phi, __at)],
-            ),
-        );
-    }
-    #[must_use]
-    /// `stroke` at many positions: see [sweeps](Self#sweeps).
-    pub fn stroke_sweep(&self, phi: &[T]) -> __SliderCrank_stroke::StrokeColumns<T> {
-        let mut __columns = ::core::default::Default::default();
-        self.__stroke_sweep_into("stroke_sweep", phi, &mut __columns);
-        __columns
-    }
-    /// `stroke` at many positions, into columns that are there: see [sweeps](Self#sweeps).
-    pub fn stroke_sweep_into(
-        &self,
-        phi: &[T],
-        columns: &mut __SliderCrank_stroke::StrokeColumns<T>,
-    ) {
-        self.__stroke_sweep_into("stroke_sweep_into", phi, columns);
-    }
-    /// `stroke` at many positions, into slices: see [sweeps](Self#sweeps).
-    pub fn stroke_sweep_slices(&self, phi: &[T], slices: [&mut [T]; 3]) {
-        ::linkage::__private::fill_slices(
-            "stroke_sweep_slices",
-            &::linkage::__private::OverInputs::<
-                _,
-                __SliderCrank_stroke_stages,
-            >::new(::linkage::__private::Sealed::core(&self.__sealed)),
-            &::linkage::__private::Inputs::new("stroke_sweep_slices", ["phi"], [phi]),
-            slices,
-        );
-    }
-    fn __stroke_sweep_sets_into(
-        &self,
-        __title: &'static ::core::primitive::str,
-        sets: &[SliderCrank<T>],
-        phi: &[T],
-        columns: &mut __SliderCrank_stroke::StrokeColumns<T>,
-    ) {
-        ::linkage::__private::fill_results(
-            &::linkage::__private::OverSets::<
-                _,
-                __SliderCrank_stroke_stages,
-                3,
-                1,
-                4,
-            >::new(::linkage::__private::Sealed::core(&self.__sealed)),
-            &::linkage::__private::Sets::<_, _, _, 1, 4> {
-                title: __title,
-                names: ["phi"],
-                sets: sets,
-                slices: [phi],
-                dimensions: SliderCrank::__values,
-            },
-            &mut columns.0,
-        );
-    }
-    #[must_use]
-    /// `stroke` for many mechanisms: see [sweeps](Self#sweeps).
-    pub fn stroke_sweep_sets(
-        &self,
-        sets: &[SliderCrank<T>],
-        phi: &[T],
-    ) -> __SliderCrank_stroke::StrokeColumns<T> {
-        let mut __columns = ::core::default::Default::default();
-        self.__stroke_sweep_sets_into("stroke_sweep_sets", sets, phi, &mut __columns);
-        __columns
-    }
-    /// `stroke` for many mechanisms, into columns that are there: see [sweeps](Self#sweeps).
-    pub fn stroke_sweep_sets_into(
-        &self,
-        sets: &[SliderCrank<T>],
-        phi: &[T],
-        columns: &mut __SliderCrank_stroke::StrokeColumns<T>,
-    ) {
-        self.__stroke_sweep_sets_into("stroke_sweep_sets_into", sets, phi, columns);
-    }
-}
-impl<
-    T: ::linkage::__private::Scalar,
-> ::linkage::__private::SetStages<T, __SliderCrankCore<T>>
-for __SliderCrank_stroke_stages {
-    type Prepared<const __BLOCK: ::core::primitive::usize> = ::linkage::__private::Block<
-        T,
-        __BLOCK,
-        4,
-    >;
-    #[inline(always)]
-    fn prepare<const __FUSED: ::core::primitive::bool>(
-        __core: &__SliderCrankCore<T>,
-        __dimensions: &impl ::linkage::__private::RowNumbers<T>,
-        __slots: &mut impl ::linkage::__private::RowNumbersMut<T>,
-    ) {
-        let __SliderCrankCore { __modes, __turns, .. } = __core;
-        let __mechanism = SliderCrank::__of_row(__dimensions);
-        let [__value0, __value1, __value2, __value3, _, _, _, _, _] = SliderCrankAssembly::__prepare::<
-            __FUSED,
-        >(&__mechanism, __modes, __turns);
-        __slots.put(0, __value0);
-        __slots.put(1, __value1);
-        __slots.put(2, __value2);
-        __slots.put(3, __value3);
-    }
-    #[inline(always)]
-    fn core(
-        __core: &__SliderCrankCore<T>,
-        __dimensions: &impl ::linkage::__private::RowNumbers<T>,
-        __slots: &impl ::linkage::__private::RowNumbers<T>,
-    ) -> __SliderCrankCore<T> {
-        let __zero = T::from_f64(0.0);
-        __SliderCrankCore {
-            __mechanism: SliderCrank::__of_row(__dimensions),
-            __prepared: [
-                __slots.number(0),
-                __slots.number(1),
-                __slots.number(2),
-                __slots.number(3),
-                __zero,
-                __zero,
-                __zero,
-                __zero,
-                __zero,
-            ],
-            ..*__core
+    impl<T: __p::Scalar> SliderCrankAssembly<T> {
+        /// Place of the slider; its velocity and acceleration per radian of the crank.
+        ///
+        /// Takes `phi`, in rad.
+        ///
+        /// A quantity that depends on something which cannot be assembled is NaN.
+        ///
+        /// Operations: 9 additions, 11 multiplications, 1 division, 1 square root, 1 sine-cosine pair, 3 others.
+        #[must_use]
+        #[inline]
+        pub fn stroke(&self, phi: T) -> __SliderCrank_stroke::Stroke<T> {
+            __p::call(&self.__sealed, [phi])
+        }
+        #[must_use]
+        /// `stroke` at many positions: see [sweeps](Self#sweeps).
+        pub fn stroke_sweep(&self, phi: &[T]) -> __SliderCrank_stroke::StrokeColumns<T> {
+            __SliderCrank_stroke::StrokeColumns(__p::sweep(&self.__sealed, [phi]))
+        }
+        /// `stroke` at many positions, into columns that are there: see [sweeps](Self#sweeps).
+        pub fn stroke_sweep_into(
+            &self,
+            phi: &[T],
+            columns: &mut __SliderCrank_stroke::StrokeColumns<T>,
+        ) {
+            __p::sweep_into(&self.__sealed, [phi], &mut columns.0);
+        }
+        /// `stroke` at many positions, into slices: see [sweeps](Self#sweeps).
+        pub fn stroke_sweep_slices(&self, phi: &[T], slices: [&mut [T]; 3]) {
+            __p::Slices::<
+                __SliderCrank_stroke::Stroke<T>,
+            >::sweep(&self.__sealed, [phi], slices);
+        }
+        #[must_use]
+        /// `stroke` for many mechanisms: see [sweeps](Self#sweeps).
+        pub fn stroke_sweep_sets(
+            &self,
+            sets: &[SliderCrank<T>],
+            phi: &[T],
+        ) -> __SliderCrank_stroke::StrokeColumns<T> {
+            __SliderCrank_stroke::StrokeColumns(
+                __p::sweep_sets(&self.__sealed, sets, SliderCrank::__values, [phi]),
+            )
+        }
+        /// `stroke` for many mechanisms, into columns that are there: see [sweeps](Self#sweeps).
+        pub fn stroke_sweep_sets_into(
+            &self,
+            sets: &[SliderCrank<T>],
+            phi: &[T],
+            columns: &mut __SliderCrank_stroke::StrokeColumns<T>,
+        ) {
+            __p::sweep_sets_into(
+                &self.__sealed,
+                sets,
+                SliderCrank::__values,
+                [phi],
+                &mut columns.0,
+            );
         }
     }
-}
-mod __SliderCrank_accuracy {
-    use super::*;
-    /// What `SliderCrankAssembly::accuracy` returns.
-    #[derive(
-        ::core::clone::Clone,
-        ::core::marker::Copy,
-        ::core::fmt::Debug,
-        ::core::cmp::PartialEq
-    )]
-    pub struct Accuracy<T = ::core::primitive::f64> {
-        /// `slide`, in mm.
-        pub slide: T,
-        /// `e`: derivatives of `slide` by each of `PARAMETERS`, in mm/mm.
-        pub e: [T; 3],
-        /// `margin`: how far the nearest group is from a dead point, at most 1.
-        pub margin: T,
+    #[doc(hidden)]
+    impl<T: __p::Scalar> __p::Function<T, __SliderCrankCore<T>, (), 1, 1, 3>
+    for __SliderCrank_stroke::Stroke<T> {
+        type Called = __SliderCrank_stroke_stages;
+        type Refining = __SliderCrank_stroke_stages;
+        type States = __p::NoStates;
+        const NAMES: &'static __p::FunctionNames<1> = &__p::FunctionNames {
+            function: "stroke",
+            arguments: ["phi"],
+        };
     }
-    impl<T: ::linkage::__private::Scalar> ::linkage::__private::ResultRow<T, 5>
-    for Accuracy<T> {
+    #[doc(hidden)]
+    pub struct __SliderCrank_stroke_stages;
+    impl<T: __p::Scalar> __p::Staged<T, __SliderCrankCore<T>, 1, 3>
+    for __SliderCrank_stroke_stages {
+        const WIDE: __p::bool = !::core::cfg!(debug_assertions);
+        type Memory<const __BLOCK: __p::usize> = __p::Block<T, __BLOCK, 0>;
+        #[inline(always)]
+        fn run(__stages: &mut impl __p::RunStages<T, __SliderCrankCore<T>, Self>) {
+            __stages.stage::<0>();
+        }
+    }
+    impl<T: __p::Scalar> __p::Stage<T, __SliderCrankCore<T>, 0>
+    for __SliderCrank_stroke_stages {
+        #[inline(always)]
+        fn row<const __FUSED: __p::bool, const __ROWS: __p::bool>(
+            __core: &__SliderCrankCore<T>,
+            __row: &mut impl __p::StageRow<T>,
+        ) {
+            let __SliderCrankCore { __mechanism: __m, __modes, __prepared, .. } = __core;
+            let __input0 = __row.number(0);
+            let __v0 = __input0;
+            let (__v1, __v2) = T::sin_cos_shortest::<__FUSED, __ROWS>(__v0);
+            let __v3 = __m.crank;
+            let __v4 = __v3 * __v2;
+            let __v5 = __v3 * __v1;
+            let __v6 = __m.offset;
+            let __v7 = T::mul_add::<__FUSED>(-__v3, __v1, __v6);
+            let __v8 = __prepared[1];
+            let __v9 = __v8 - __v7;
+            let __v10 = __v8 + __v7;
+            let __v11 = __v9 * __v10;
+            let __v12 = T::abs(__v4);
+            let __v13 = __v12 + __v8;
+            let __v14 = __prepared[2];
+            let __v15 = T::root_with::<__FUSED>(__v11, __v14, __v13);
+            let __v16 = __prepared[0];
+            let __v17 = __v16 * __v15;
+            let __v18 = T::mul_add::<__FUSED>(-__v16, __v15, __v4);
+            let __v19 = T::select(__v15, __v7, __v15);
+            let __v20 = __prepared[3];
+            let __v21 = T::quotient_with::<__FUSED>(__v20, __v15);
+            let __v22 = __v4 * __v21;
+            let __v23 = __v19 * __v22;
+            let __v24 = T::mul_add::<__FUSED>(__v19, __v22, -__v5);
+            let __v25 = T::mul_add::<__FUSED>(__v22, __v23, __v5);
+            let __v26 = __v21 * __v25;
+            let __v27 = __v17 * __v22;
+            let __v28 = T::mul_add::<__FUSED>(-__v22, __v27, __v4);
+            let __v29 = T::mul_add::<__FUSED>(__v19, __v26, __v28);
+            let __v30 = -__v29;
+            __row.finish(0, __v18);
+            __row.finish(1, __v24);
+            __row.finish(2, __v30);
+        }
+        #[inline(always)]
+        fn write(__rows: &mut impl __p::FinishedRows) {
+            __rows.write(0);
+            __rows.write(1);
+            __rows.write(2);
+        }
+    }
+    impl<T: __p::Scalar> __p::SetStages<T, __SliderCrankCore<T>, 3, 4, 4>
+    for __SliderCrank_stroke_stages {
+        type Prepared<const __BLOCK: __p::usize> = __p::Block<T, __BLOCK, 4>;
+        #[inline(always)]
+        fn prepare<const __FUSED: __p::bool>(
+            __core: &__SliderCrankCore<T>,
+            __dimensions: &impl __p::RowNumbers<T>,
+            __slots: &mut impl __p::RowNumbersMut<T>,
+        ) {
+            let __SliderCrankCore { __modes, __turns, .. } = __core;
+            let __mechanism = SliderCrank::__of_row(__dimensions);
+            let [__value0, __value1, __value2, __value3, _, _, _, _, _] = SliderCrankAssembly::__prepare::<
+                __FUSED,
+            >(&__mechanism, __modes, __turns);
+            __slots.put(0, __value0);
+            __slots.put(1, __value1);
+            __slots.put(2, __value2);
+            __slots.put(3, __value3);
+        }
+        #[inline(always)]
+        fn core(
+            __core: &__SliderCrankCore<T>,
+            __dimensions: &impl __p::RowNumbers<T>,
+            __slots: &impl __p::RowNumbers<T>,
+        ) -> __SliderCrankCore<T> {
+            let __zero = T::from_f64(0.0);
+            __SliderCrankCore {
+                __mechanism: SliderCrank::__of_row(__dimensions),
+                __prepared: [
+                    __slots.number(0),
+                    __slots.number(1),
+                    __slots.number(2),
+                    __slots.number(3),
+                    __zero,
+                    __zero,
+                    __zero,
+                    __zero,
+                    __zero,
+                ],
+                ..*__core
+            }
+        }
+    }
+    impl<T: __p::Scalar> __p::ResultRow<T, 5> for __SliderCrank_accuracy::Accuracy<T> {
         #[inline(always)]
         fn from_row([__row0, __row1, __row2, __row3, __row4]: [T; 5]) -> Self {
             Self {
@@ -1138,25 +1044,20 @@ mod __SliderCrank_accuracy {
             [self.slide, self.e[0], self.e[1], self.e[2], self.margin]
         }
     }
-    /// Many `Accuracy` values, one column for each number.
-    #[derive(::core::clone::Clone, ::core::cmp::PartialEq, ::core::fmt::Debug)]
-    pub struct AccuracyColumns<T = ::core::primitive::f64>(
-        pub(super) ::linkage::__private::ResultColumns<T, Accuracy<T>, 5>,
-    );
     #[automatically_derived]
-    impl<T> ::core::default::Default for AccuracyColumns<T> {
+    impl<T> ::core::default::Default for __SliderCrank_accuracy::AccuracyColumns<T> {
         fn default() -> Self {
             Self(::core::default::Default::default())
         }
     }
     #[automatically_derived]
-    impl<T> ::core::ops::Deref for AccuracyColumns<T> {
-        type Target = ::linkage::__private::ResultColumns<T, Accuracy<T>, 5>;
+    impl<T> ::core::ops::Deref for __SliderCrank_accuracy::AccuracyColumns<T> {
+        type Target = __p::ResultColumns<T, __SliderCrank_accuracy::Accuracy<T>, 5>;
         fn deref(&self) -> &Self::Target {
             &self.0
         }
     }
-    impl<T: ::linkage::__private::Scalar> AccuracyColumns<T> {
+    impl<T: __p::Scalar> __SliderCrank_accuracy::AccuracyColumns<T> {
         /// Empty columns; nothing is allocated before the first sweep.
         #[must_use]
         pub fn new() -> Self {
@@ -1178,301 +1079,201 @@ mod __SliderCrank_accuracy {
             self.0.column(4)
         }
     }
-}
-pub use __SliderCrank_accuracy::Accuracy;
-pub use __SliderCrank_accuracy::AccuracyColumns;
-impl<T: ::linkage::__private::Scalar> SliderCrankAssembly<T> {
-    /// What each dimension does to the slider's place, and how far the mechanism is from a dead point (0 to 1).
-    ///
-    /// Takes `phi`, in rad.
-    ///
-    /// A quantity that depends on something which cannot be assembled is NaN.
-    ///
-    /// Operations: 7 additions, 12 multiplications, 1 division, 1 square root, 1 sine-cosine pair, 4 others. Derivatives by parameters are computed forward.
-    #[must_use]
-    #[inline]
-    pub fn accuracy(&self, phi: T) -> __SliderCrank_accuracy::Accuracy<T> {
-        ::linkage::__private::single(self, [phi])
-    }
-}
-#[doc(hidden)]
-impl<
-    T: ::linkage::__private::Scalar,
-> ::linkage::__private::Single<T, __SliderCrank_accuracy::Accuracy<T>, 1>
-for SliderCrankAssembly<T> {
-    #[inline(always)]
-    fn at<const __FUSED: ::core::primitive::bool>(
-        &self,
-        [phi,
-        ]: [T; 1],
-    ) -> __SliderCrank_accuracy::Accuracy<T> {
-        let __x = [phi];
-        ::linkage::__private::ResultRow::from_row(
-            ::linkage::__private::once::<
-                __SliderCrank_accuracy_stages,
-                T,
-                __SliderCrankCore<T>,
-                __FUSED,
-                1,
-                5,
-            >(::linkage::__private::Sealed::core(&self.__sealed), __x),
-        )
-    }
-}
-struct __SliderCrank_accuracy_stages;
-impl<
-    T: ::linkage::__private::Scalar,
-> ::linkage::__private::Staged<T, __SliderCrankCore<T>, 1, 5>
-for __SliderCrank_accuracy_stages {
-    const WIDE: ::core::primitive::bool = !::core::cfg!(debug_assertions);
-    type Memory<const __BLOCK: ::core::primitive::usize> = ::linkage::__private::Block<
-        T,
-        __BLOCK,
-        0,
-    >;
-    #[inline(always)]
-    fn run(
-        __stages: &mut impl ::linkage::__private::RunStages<
-            T,
-            __SliderCrankCore<T>,
-            Self,
-        >,
-    ) {
-        __stages.stage::<0>();
-    }
-}
-impl<
-    T: ::linkage::__private::Scalar,
-> ::linkage::__private::Stage<T, __SliderCrankCore<T>, 0>
-for __SliderCrank_accuracy_stages {
-    #[inline(always)]
-    fn row<
-        const __FUSED: ::core::primitive::bool,
-        const __ROWS: ::core::primitive::bool,
-    >(
-        __core: &__SliderCrankCore<T>,
-        __row: &mut impl ::linkage::__private::StageRow<T>,
-    ) {
-        let __SliderCrankCore { __mechanism: __m, __modes, __prepared, .. } = __core;
-        let __input0 = __row.number(0);
-        let __v0 = __input0;
-        let (__v1, __v2) = T::sin_cos_shortest::<__FUSED, __ROWS>(__v0);
-        let __v3 = __m.crank;
-        let __v4 = __v3 * __v2;
-        let __v5 = __m.offset;
-        let __v6 = T::mul_add::<__FUSED>(-__v3, __v1, __v5);
-        let __v7 = __prepared[1];
-        let __v8 = __v7 - __v6;
-        let __v9 = __v7 + __v6;
-        let __v10 = __v8 * __v9;
-        let __v11 = T::abs(__v4);
-        let __v12 = __v11 + __v7;
-        let __v13 = __prepared[2];
-        let __v14 = T::root_with::<__FUSED>(__v10, __v13, __v12);
-        let __v15 = __prepared[0];
-        let __v16 = T::mul_add::<__FUSED>(-__v15, __v14, __v4);
-        let __v17 = T::select(__v14, __v6, __v14);
-        let __v18 = __prepared[3];
-        let __v19 = T::quotient_with::<__FUSED>(__v18, __v14);
-        let __v20 = __v1 * __v19;
-        let __v21 = T::mul_add::<__FUSED>(__v17, __v20, __v2);
-        let __v22 = __prepared[4];
-        let __v23 = __v22 * __v17;
-        let __v24 = __v23 * __v19;
-        let __v25 = __prepared[5];
-        let __v26 = __v25 * __v14;
-        let __v27 = T::mul_add::<__FUSED>(__v17, __v24, -__v26);
-        let __v28 = __v17 * __v19;
-        let __v29 = -__v28;
-        let __v30 = __prepared[6];
-        let __v31 = __v30 * __v14;
-        let __v32 = T::from_f64(1.0f64);
-        let __v33 = T::min(__v32, __v31);
-        __row.finish(0, __v16);
-        __row.finish(1, __v21);
-        __row.finish(2, __v27);
-        __row.finish(3, __v29);
-        __row.finish(4, __v33);
-    }
-    #[inline(always)]
-    fn write(__rows: &mut impl ::linkage::__private::FinishedRows) {
-        __rows.write(0);
-        __rows.write(1);
-        __rows.write(2);
-        __rows.write(3);
-        __rows.write(4);
-    }
-}
-impl<T: ::linkage::__private::Scalar> SliderCrankAssembly<T> {
-    fn __accuracy_sweep_into(
-        &self,
-        __title: &'static ::core::primitive::str,
-        phi: &[T],
-        columns: &mut __SliderCrank_accuracy::AccuracyColumns<T>,
-    ) {
-        ::linkage::__private::fill_or_call(
-            &::linkage::__private::OverInputs::<
-                _,
-                __SliderCrank_accuracy_stages,
-            >::new(::linkage::__private::Sealed::core(&self.__sealed)),
-            &::linkage::__private::Inputs::new(__title, ["phi"], [phi]),
-            &mut columns.0,
-            |__at| ::linkage::__private::as_in_sweeps(
-                self,
-                [::linkage::__private::in_row(phi, __at)],
-            ),
-        );
-    }
-    #[must_use]
-    /// `accuracy` at many positions: see [sweeps](Self#sweeps).
-    pub fn accuracy_sweep(
-        &self,
-        phi: &[T],
-    ) -> __SliderCrank_accuracy::AccuracyColumns<T> {
-        let mut __columns = ::core::default::Default::default();
-        self.__accuracy_sweep_into("accuracy_sweep", phi, &mut __columns);
-        __columns
-    }
-    /// `accuracy` at many positions, into columns that are there: see [sweeps](Self#sweeps).
-    pub fn accuracy_sweep_into(
-        &self,
-        phi: &[T],
-        columns: &mut __SliderCrank_accuracy::AccuracyColumns<T>,
-    ) {
-        self.__accuracy_sweep_into("accuracy_sweep_into", phi, columns);
-    }
-    /// `accuracy` at many positions, into slices: see [sweeps](Self#sweeps).
-    pub fn accuracy_sweep_slices(&self, phi: &[T], slices: [&mut [T]; 5]) {
-        ::linkage::__private::fill_slices(
-            "accuracy_sweep_slices",
-            &::linkage::__private::OverInputs::<
-                _,
-                __SliderCrank_accuracy_stages,
-            >::new(::linkage::__private::Sealed::core(&self.__sealed)),
-            &::linkage::__private::Inputs::new("accuracy_sweep_slices", ["phi"], [phi]),
-            slices,
-        );
-    }
-    fn __accuracy_sweep_sets_into(
-        &self,
-        __title: &'static ::core::primitive::str,
-        sets: &[SliderCrank<T>],
-        phi: &[T],
-        columns: &mut __SliderCrank_accuracy::AccuracyColumns<T>,
-    ) {
-        ::linkage::__private::fill_results(
-            &::linkage::__private::OverSets::<
-                _,
-                __SliderCrank_accuracy_stages,
-                3,
-                1,
-                4,
-            >::new(::linkage::__private::Sealed::core(&self.__sealed)),
-            &::linkage::__private::Sets::<_, _, _, 1, 4> {
-                title: __title,
-                names: ["phi"],
-                sets: sets,
-                slices: [phi],
-                dimensions: SliderCrank::__values,
-            },
-            &mut columns.0,
-        );
-    }
-    #[must_use]
-    /// `accuracy` for many mechanisms: see [sweeps](Self#sweeps).
-    pub fn accuracy_sweep_sets(
-        &self,
-        sets: &[SliderCrank<T>],
-        phi: &[T],
-    ) -> __SliderCrank_accuracy::AccuracyColumns<T> {
-        let mut __columns = ::core::default::Default::default();
-        self.__accuracy_sweep_sets_into(
-            "accuracy_sweep_sets",
-            sets,
-            phi,
-            &mut __columns,
-        );
-        __columns
-    }
-    /// `accuracy` for many mechanisms, into columns that are there: see [sweeps](Self#sweeps).
-    pub fn accuracy_sweep_sets_into(
-        &self,
-        sets: &[SliderCrank<T>],
-        phi: &[T],
-        columns: &mut __SliderCrank_accuracy::AccuracyColumns<T>,
-    ) {
-        self.__accuracy_sweep_sets_into("accuracy_sweep_sets_into", sets, phi, columns);
-    }
-}
-impl<
-    T: ::linkage::__private::Scalar,
-> ::linkage::__private::SetStages<T, __SliderCrankCore<T>>
-for __SliderCrank_accuracy_stages {
-    type Prepared<const __BLOCK: ::core::primitive::usize> = ::linkage::__private::Block<
-        T,
-        __BLOCK,
-        7,
-    >;
-    #[inline(always)]
-    fn prepare<const __FUSED: ::core::primitive::bool>(
-        __core: &__SliderCrankCore<T>,
-        __dimensions: &impl ::linkage::__private::RowNumbers<T>,
-        __slots: &mut impl ::linkage::__private::RowNumbersMut<T>,
-    ) {
-        let __SliderCrankCore { __modes, __turns, .. } = __core;
-        let __mechanism = SliderCrank::__of_row(__dimensions);
-        let [__value0, __value1, __value2, __value3, __value4, __value5, __value6, _, _,
-        ] = SliderCrankAssembly::__prepare::<__FUSED>(&__mechanism, __modes, __turns);
-        __slots.put(0, __value0);
-        __slots.put(1, __value1);
-        __slots.put(2, __value2);
-        __slots.put(3, __value3);
-        __slots.put(4, __value4);
-        __slots.put(5, __value5);
-        __slots.put(6, __value6);
-    }
-    #[inline(always)]
-    fn core(
-        __core: &__SliderCrankCore<T>,
-        __dimensions: &impl ::linkage::__private::RowNumbers<T>,
-        __slots: &impl ::linkage::__private::RowNumbers<T>,
-    ) -> __SliderCrankCore<T> {
-        let __zero = T::from_f64(0.0);
-        __SliderCrankCore {
-            __mechanism: SliderCrank::__of_row(__dimensions),
-            __prepared: [
-                __slots.number(0),
-                __slots.number(1),
-                __slots.number(2),
-                __slots.number(3),
-                __slots.number(4),
-                __slots.number(5),
-                __slots.number(6),
-                __zero,
-                __zero,
-            ],
-            ..*__core
+    impl<T: __p::Scalar> SliderCrankAssembly<T> {
+        /// What each dimension does to the slider's place, and how far the mechanism is from a dead point (0 to 1).
+        ///
+        /// Takes `phi`, in rad.
+        ///
+        /// A quantity that depends on something which cannot be assembled is NaN.
+        ///
+        /// Operations: 7 additions, 12 multiplications, 1 division, 1 square root, 1 sine-cosine pair, 4 others. Derivatives by parameters are computed forward.
+        #[must_use]
+        #[inline]
+        pub fn accuracy(&self, phi: T) -> __SliderCrank_accuracy::Accuracy<T> {
+            __p::call(&self.__sealed, [phi])
+        }
+        #[must_use]
+        /// `accuracy` at many positions: see [sweeps](Self#sweeps).
+        pub fn accuracy_sweep(
+            &self,
+            phi: &[T],
+        ) -> __SliderCrank_accuracy::AccuracyColumns<T> {
+            __SliderCrank_accuracy::AccuracyColumns(__p::sweep(&self.__sealed, [phi]))
+        }
+        /// `accuracy` at many positions, into columns that are there: see [sweeps](Self#sweeps).
+        pub fn accuracy_sweep_into(
+            &self,
+            phi: &[T],
+            columns: &mut __SliderCrank_accuracy::AccuracyColumns<T>,
+        ) {
+            __p::sweep_into(&self.__sealed, [phi], &mut columns.0);
+        }
+        /// `accuracy` at many positions, into slices: see [sweeps](Self#sweeps).
+        pub fn accuracy_sweep_slices(&self, phi: &[T], slices: [&mut [T]; 5]) {
+            __p::Slices::<
+                __SliderCrank_accuracy::Accuracy<T>,
+            >::sweep(&self.__sealed, [phi], slices);
+        }
+        #[must_use]
+        /// `accuracy` for many mechanisms: see [sweeps](Self#sweeps).
+        pub fn accuracy_sweep_sets(
+            &self,
+            sets: &[SliderCrank<T>],
+            phi: &[T],
+        ) -> __SliderCrank_accuracy::AccuracyColumns<T> {
+            __SliderCrank_accuracy::AccuracyColumns(
+                __p::sweep_sets(&self.__sealed, sets, SliderCrank::__values, [phi]),
+            )
+        }
+        /// `accuracy` for many mechanisms, into columns that are there: see [sweeps](Self#sweeps).
+        pub fn accuracy_sweep_sets_into(
+            &self,
+            sets: &[SliderCrank<T>],
+            phi: &[T],
+            columns: &mut __SliderCrank_accuracy::AccuracyColumns<T>,
+        ) {
+            __p::sweep_sets_into(
+                &self.__sealed,
+                sets,
+                SliderCrank::__values,
+                [phi],
+                &mut columns.0,
+            );
         }
     }
-}
-mod __SliderCrank_shape {
-    use super::*;
-    /// What `SliderCrankAssembly::shape` returns.
-    #[derive(::core::clone::Clone, ::core::marker::Copy, ::core::cmp::PartialEq)]
-    pub struct Shape<T = ::core::primitive::f64> {
-        /// `shape`: points of `PICTURE` in mm, then its unit vectors.
-        pub shape: [::linkage::__private::Vector2<T>; 5],
+    #[doc(hidden)]
+    impl<T: __p::Scalar> __p::Function<T, __SliderCrankCore<T>, (), 1, 1, 5>
+    for __SliderCrank_accuracy::Accuracy<T> {
+        type Called = __SliderCrank_accuracy_stages;
+        type Refining = __SliderCrank_accuracy_stages;
+        type States = __p::NoStates;
+        const NAMES: &'static __p::FunctionNames<1> = &__p::FunctionNames {
+            function: "accuracy",
+            arguments: ["phi"],
+        };
+    }
+    #[doc(hidden)]
+    pub struct __SliderCrank_accuracy_stages;
+    impl<T: __p::Scalar> __p::Staged<T, __SliderCrankCore<T>, 1, 5>
+    for __SliderCrank_accuracy_stages {
+        const WIDE: __p::bool = !::core::cfg!(debug_assertions);
+        type Memory<const __BLOCK: __p::usize> = __p::Block<T, __BLOCK, 0>;
+        #[inline(always)]
+        fn run(__stages: &mut impl __p::RunStages<T, __SliderCrankCore<T>, Self>) {
+            __stages.stage::<0>();
+        }
+    }
+    impl<T: __p::Scalar> __p::Stage<T, __SliderCrankCore<T>, 0>
+    for __SliderCrank_accuracy_stages {
+        #[inline(always)]
+        fn row<const __FUSED: __p::bool, const __ROWS: __p::bool>(
+            __core: &__SliderCrankCore<T>,
+            __row: &mut impl __p::StageRow<T>,
+        ) {
+            let __SliderCrankCore { __mechanism: __m, __modes, __prepared, .. } = __core;
+            let __input0 = __row.number(0);
+            let __v0 = __input0;
+            let (__v1, __v2) = T::sin_cos_shortest::<__FUSED, __ROWS>(__v0);
+            let __v3 = __m.crank;
+            let __v4 = __v3 * __v2;
+            let __v5 = __m.offset;
+            let __v6 = T::mul_add::<__FUSED>(-__v3, __v1, __v5);
+            let __v7 = __prepared[1];
+            let __v8 = __v7 - __v6;
+            let __v9 = __v7 + __v6;
+            let __v10 = __v8 * __v9;
+            let __v11 = T::abs(__v4);
+            let __v12 = __v11 + __v7;
+            let __v13 = __prepared[2];
+            let __v14 = T::root_with::<__FUSED>(__v10, __v13, __v12);
+            let __v15 = __prepared[0];
+            let __v16 = T::mul_add::<__FUSED>(-__v15, __v14, __v4);
+            let __v17 = T::select(__v14, __v6, __v14);
+            let __v18 = __prepared[3];
+            let __v19 = T::quotient_with::<__FUSED>(__v18, __v14);
+            let __v20 = __v1 * __v19;
+            let __v21 = T::mul_add::<__FUSED>(__v17, __v20, __v2);
+            let __v22 = __prepared[4];
+            let __v23 = __v22 * __v17;
+            let __v24 = __v23 * __v19;
+            let __v25 = __prepared[5];
+            let __v26 = __v25 * __v14;
+            let __v27 = T::mul_add::<__FUSED>(__v17, __v24, -__v26);
+            let __v28 = __v17 * __v19;
+            let __v29 = -__v28;
+            let __v30 = __prepared[6];
+            let __v31 = __v30 * __v14;
+            let __v32 = T::from_f64(1.0f64);
+            let __v33 = T::min(__v32, __v31);
+            __row.finish(0, __v16);
+            __row.finish(1, __v21);
+            __row.finish(2, __v27);
+            __row.finish(3, __v29);
+            __row.finish(4, __v33);
+        }
+        #[inline(always)]
+        fn write(__rows: &mut impl __p::FinishedRows) {
+            __rows.write(0);
+            __rows.write(1);
+            __rows.write(2);
+            __rows.write(3);
+            __rows.write(4);
+        }
+    }
+    impl<T: __p::Scalar> __p::SetStages<T, __SliderCrankCore<T>, 3, 4, 4>
+    for __SliderCrank_accuracy_stages {
+        type Prepared<const __BLOCK: __p::usize> = __p::Block<T, __BLOCK, 7>;
+        #[inline(always)]
+        fn prepare<const __FUSED: __p::bool>(
+            __core: &__SliderCrankCore<T>,
+            __dimensions: &impl __p::RowNumbers<T>,
+            __slots: &mut impl __p::RowNumbersMut<T>,
+        ) {
+            let __SliderCrankCore { __modes, __turns, .. } = __core;
+            let __mechanism = SliderCrank::__of_row(__dimensions);
+            let [__value0, __value1, __value2, __value3, __value4, __value5, __value6, _,
+            _] = SliderCrankAssembly::__prepare::<
+                __FUSED,
+            >(&__mechanism, __modes, __turns);
+            __slots.put(0, __value0);
+            __slots.put(1, __value1);
+            __slots.put(2, __value2);
+            __slots.put(3, __value3);
+            __slots.put(4, __value4);
+            __slots.put(5, __value5);
+            __slots.put(6, __value6);
+        }
+        #[inline(always)]
+        fn core(
+            __core: &__SliderCrankCore<T>,
+            __dimensions: &impl __p::RowNumbers<T>,
+            __slots: &impl __p::RowNumbers<T>,
+        ) -> __SliderCrankCore<T> {
+            let __zero = T::from_f64(0.0);
+            __SliderCrankCore {
+                __mechanism: SliderCrank::__of_row(__dimensions),
+                __prepared: [
+                    __slots.number(0),
+                    __slots.number(1),
+                    __slots.number(2),
+                    __slots.number(3),
+                    __slots.number(4),
+                    __slots.number(5),
+                    __slots.number(6),
+                    __zero,
+                    __zero,
+                ],
+                ..*__core
+            }
+        }
     }
     #[automatically_derived]
-    impl<T: ::core::fmt::Debug> ::core::fmt::Debug for Shape<T> {
+    impl<T: ::core::fmt::Debug> ::core::fmt::Debug for __SliderCrank_shape::Shape<T> {
         fn fmt(&self, __f: &mut ::core::fmt::Formatter<'_>) -> ::core::fmt::Result {
-            __f.debug_struct("Shape")
-                .field("shape", &::linkage::__private::named(&self.shape))
-                .finish()
+            __f.debug_struct("Shape").field("shape", &__p::named(&self.shape)).finish()
         }
     }
-    impl<T: ::linkage::__private::Scalar> ::linkage::__private::ResultRow<T, 10>
-    for Shape<T> {
+    impl<T: __p::Scalar> __p::ResultRow<T, 10> for __SliderCrank_shape::Shape<T> {
         #[inline(always)]
         fn from_row(
             [__row0,
@@ -1489,11 +1290,11 @@ mod __SliderCrank_shape {
         ) -> Self {
             Self {
                 shape: [
-                    ::linkage::__private::Vector2::new(__row0, __row1),
-                    ::linkage::__private::Vector2::new(__row2, __row3),
-                    ::linkage::__private::Vector2::new(__row4, __row5),
-                    ::linkage::__private::Vector2::new(__row6, __row7),
-                    ::linkage::__private::Vector2::new(__row8, __row9),
+                    __p::Vector2::new(__row0, __row1),
+                    __p::Vector2::new(__row2, __row3),
+                    __p::Vector2::new(__row4, __row5),
+                    __p::Vector2::new(__row6, __row7),
+                    __p::Vector2::new(__row8, __row9),
                 ],
             }
         }
@@ -1513,25 +1314,20 @@ mod __SliderCrank_shape {
             ]
         }
     }
-    /// Many `Shape` values, one column for each number.
-    #[derive(::core::clone::Clone, ::core::cmp::PartialEq, ::core::fmt::Debug)]
-    pub struct ShapeColumns<T = ::core::primitive::f64>(
-        pub(super) ::linkage::__private::ResultColumns<T, Shape<T>, 10>,
-    );
     #[automatically_derived]
-    impl<T> ::core::default::Default for ShapeColumns<T> {
+    impl<T> ::core::default::Default for __SliderCrank_shape::ShapeColumns<T> {
         fn default() -> Self {
             Self(::core::default::Default::default())
         }
     }
     #[automatically_derived]
-    impl<T> ::core::ops::Deref for ShapeColumns<T> {
-        type Target = ::linkage::__private::ResultColumns<T, Shape<T>, 10>;
+    impl<T> ::core::ops::Deref for __SliderCrank_shape::ShapeColumns<T> {
+        type Target = __p::ResultColumns<T, __SliderCrank_shape::Shape<T>, 10>;
         fn deref(&self) -> &Self::Target {
             &self.0
         }
     }
-    impl<T: ::linkage::__private::Scalar> ShapeColumns<T> {
+    impl<T: __p::Scalar> __SliderCrank_shape::ShapeColumns<T> {
         /// Empty columns; nothing is allocated before the first sweep.
         #[must_use]
         pub fn new() -> Self {
@@ -1549,265 +1345,180 @@ mod __SliderCrank_shape {
             ]
         }
     }
-}
-pub use __SliderCrank_shape::Shape;
-pub use __SliderCrank_shape::ShapeColumns;
-impl<T: ::linkage::__private::Scalar> SliderCrankAssembly<T> {
-    /// The links, for the drawing.
-    ///
-    /// Takes `phi`, in rad.
-    ///
-    /// A quantity that depends on something which cannot be assembled is NaN.
-    ///
-    /// Operations: 5 additions, 4 multiplications, 1 square root, 1 sine-cosine pair, 1 other.
-    #[must_use]
-    #[inline]
-    pub fn shape(&self, phi: T) -> __SliderCrank_shape::Shape<T> {
-        ::linkage::__private::single(self, [phi])
-    }
-}
-#[doc(hidden)]
-impl<
-    T: ::linkage::__private::Scalar,
-> ::linkage::__private::Single<T, __SliderCrank_shape::Shape<T>, 1>
-for SliderCrankAssembly<T> {
-    #[inline(always)]
-    fn at<const __FUSED: ::core::primitive::bool>(
-        &self,
-        [phi,
-        ]: [T; 1],
-    ) -> __SliderCrank_shape::Shape<T> {
-        let __x = [phi];
-        ::linkage::__private::ResultRow::from_row(
-            ::linkage::__private::once::<
-                __SliderCrank_shape_stages,
-                T,
-                __SliderCrankCore<T>,
-                __FUSED,
-                1,
-                10,
-            >(::linkage::__private::Sealed::core(&self.__sealed), __x),
-        )
-    }
-}
-struct __SliderCrank_shape_stages;
-impl<
-    T: ::linkage::__private::Scalar,
-> ::linkage::__private::Staged<T, __SliderCrankCore<T>, 1, 10>
-for __SliderCrank_shape_stages {
-    const WIDE: ::core::primitive::bool = !::core::cfg!(debug_assertions);
-    type Memory<const __BLOCK: ::core::primitive::usize> = ::linkage::__private::Block<
-        T,
-        __BLOCK,
-        0,
-    >;
-    #[inline(always)]
-    fn run(
-        __stages: &mut impl ::linkage::__private::RunStages<
-            T,
-            __SliderCrankCore<T>,
-            Self,
-        >,
-    ) {
-        __stages.stage::<0>();
-    }
-}
-impl<
-    T: ::linkage::__private::Scalar,
-> ::linkage::__private::Stage<T, __SliderCrankCore<T>, 0>
-for __SliderCrank_shape_stages {
-    #[inline(always)]
-    fn row<
-        const __FUSED: ::core::primitive::bool,
-        const __ROWS: ::core::primitive::bool,
-    >(
-        __core: &__SliderCrankCore<T>,
-        __row: &mut impl ::linkage::__private::StageRow<T>,
-    ) {
-        let __SliderCrankCore { __mechanism: __m, __modes, __prepared, .. } = __core;
-        let __input0 = __row.number(0);
-        let __v0 = __input0;
-        let (__v1, __v2) = T::sin_cos_shortest::<__FUSED, __ROWS>(__v0);
-        let __v3 = __m.crank;
-        let __v4 = __v3 * __v2;
-        let __v5 = __v3 * __v1;
-        let __v6 = __m.offset;
-        let __v7 = T::mul_add::<__FUSED>(-__v3, __v1, __v6);
-        let __v8 = __prepared[1];
-        let __v9 = __v8 - __v7;
-        let __v10 = __v8 + __v7;
-        let __v11 = __v9 * __v10;
-        let __v12 = T::abs(__v4);
-        let __v13 = __v12 + __v8;
-        let __v14 = __prepared[2];
-        let __v15 = T::root_with::<__FUSED>(__v11, __v14, __v13);
-        let __v16 = __prepared[0];
-        let __v17 = T::mul_add::<__FUSED>(-__v16, __v15, __v4);
-        let __v18 = T::from_f64(0.0f64);
-        let __v19 = T::from_f64(1.0f64);
-        __row.finish(0, __v18);
-        __row.finish(1, __v18);
-        __row.finish(2, __v4);
-        __row.finish(3, __v5);
-        __row.finish(4, __v18);
-        __row.finish(5, __v6);
-        __row.finish(6, __v17);
-        __row.finish(7, __v6);
-        __row.finish(8, __v19);
-        __row.finish(9, __v18);
-    }
-    #[inline(always)]
-    fn write(__rows: &mut impl ::linkage::__private::FinishedRows) {
-        __rows.write(0);
-        __rows.write(1);
-        __rows.write(2);
-        __rows.write(3);
-        __rows.write(4);
-        __rows.write(5);
-        __rows.write(6);
-        __rows.write(7);
-        __rows.write(8);
-        __rows.write(9);
-    }
-}
-impl<T: ::linkage::__private::Scalar> SliderCrankAssembly<T> {
-    fn __shape_sweep_into(
-        &self,
-        __title: &'static ::core::primitive::str,
-        phi: &[T],
-        columns: &mut __SliderCrank_shape::ShapeColumns<T>,
-    ) {
-        ::linkage::__private::fill_or_call(
-            &::linkage::__private::OverInputs::<
-                _,
-                __SliderCrank_shape_stages,
-            >::new(::linkage::__private::Sealed::core(&self.__sealed)),
-            &::linkage::__private::Inputs::new(__title, ["phi"], [phi]),
-            &mut columns.0,
-            |__at| ::linkage::__private::as_in_sweeps(
-                self,
-                [::linkage::__private::in_row(phi, __at)],
-            ),
-        );
-    }
-    #[must_use]
-    /// `shape` at many positions: see [sweeps](Self#sweeps).
-    pub fn shape_sweep(&self, phi: &[T]) -> __SliderCrank_shape::ShapeColumns<T> {
-        let mut __columns = ::core::default::Default::default();
-        self.__shape_sweep_into("shape_sweep", phi, &mut __columns);
-        __columns
-    }
-    /// `shape` at many positions, into columns that are there: see [sweeps](Self#sweeps).
-    pub fn shape_sweep_into(
-        &self,
-        phi: &[T],
-        columns: &mut __SliderCrank_shape::ShapeColumns<T>,
-    ) {
-        self.__shape_sweep_into("shape_sweep_into", phi, columns);
-    }
-    /// `shape` at many positions, into slices: see [sweeps](Self#sweeps).
-    pub fn shape_sweep_slices(&self, phi: &[T], slices: [&mut [T]; 10]) {
-        ::linkage::__private::fill_slices(
-            "shape_sweep_slices",
-            &::linkage::__private::OverInputs::<
-                _,
-                __SliderCrank_shape_stages,
-            >::new(::linkage::__private::Sealed::core(&self.__sealed)),
-            &::linkage::__private::Inputs::new("shape_sweep_slices", ["phi"], [phi]),
-            slices,
-        );
-    }
-    fn __shape_sweep_sets_into(
-        &self,
-        __title: &'static ::core::primitive::str,
-        sets: &[SliderCrank<T>],
-        phi: &[T],
-        columns: &mut __SliderCrank_shape::ShapeColumns<T>,
-    ) {
-        ::linkage::__private::fill_results(
-            &::linkage::__private::OverSets::<
-                _,
-                __SliderCrank_shape_stages,
-                3,
-                1,
-                4,
-            >::new(::linkage::__private::Sealed::core(&self.__sealed)),
-            &::linkage::__private::Sets::<_, _, _, 1, 4> {
-                title: __title,
-                names: ["phi"],
-                sets: sets,
-                slices: [phi],
-                dimensions: SliderCrank::__values,
-            },
-            &mut columns.0,
-        );
-    }
-    #[must_use]
-    /// `shape` for many mechanisms: see [sweeps](Self#sweeps).
-    pub fn shape_sweep_sets(
-        &self,
-        sets: &[SliderCrank<T>],
-        phi: &[T],
-    ) -> __SliderCrank_shape::ShapeColumns<T> {
-        let mut __columns = ::core::default::Default::default();
-        self.__shape_sweep_sets_into("shape_sweep_sets", sets, phi, &mut __columns);
-        __columns
-    }
-    /// `shape` for many mechanisms, into columns that are there: see [sweeps](Self#sweeps).
-    pub fn shape_sweep_sets_into(
-        &self,
-        sets: &[SliderCrank<T>],
-        phi: &[T],
-        columns: &mut __SliderCrank_shape::ShapeColumns<T>,
-    ) {
-        self.__shape_sweep_sets_into("shape_sweep_sets_into", sets, phi, columns);
-    }
-}
-impl<
-    T: ::linkage::__private::Scalar,
-> ::linkage::__private::SetStages<T, __SliderCrankCore<T>>
-for __SliderCrank_shape_stages {
-    type Prepared<const __BLOCK: ::core::primitive::usize> = ::linkage::__private::Block<
-        T,
-        __BLOCK,
-        3,
-    >;
-    #[inline(always)]
-    fn prepare<const __FUSED: ::core::primitive::bool>(
-        __core: &__SliderCrankCore<T>,
-        __dimensions: &impl ::linkage::__private::RowNumbers<T>,
-        __slots: &mut impl ::linkage::__private::RowNumbersMut<T>,
-    ) {
-        let __SliderCrankCore { __modes, __turns, .. } = __core;
-        let __mechanism = SliderCrank::__of_row(__dimensions);
-        let [__value0, __value1, __value2, _, _, _, _, _, _] = SliderCrankAssembly::__prepare::<
-            __FUSED,
-        >(&__mechanism, __modes, __turns);
-        __slots.put(0, __value0);
-        __slots.put(1, __value1);
-        __slots.put(2, __value2);
-    }
-    #[inline(always)]
-    fn core(
-        __core: &__SliderCrankCore<T>,
-        __dimensions: &impl ::linkage::__private::RowNumbers<T>,
-        __slots: &impl ::linkage::__private::RowNumbers<T>,
-    ) -> __SliderCrankCore<T> {
-        let __zero = T::from_f64(0.0);
-        __SliderCrankCore {
-            __mechanism: SliderCrank::__of_row(__dimensions),
-            __prepared: [
-                __slots.number(0),
-                __slots.number(1),
-                __slots.number(2),
-                __zero,
-                __zero,
-                __zero,
-                __zero,
-                __zero,
-                __zero,
-            ],
-            ..*__core
+    impl<T: __p::Scalar> SliderCrankAssembly<T> {
+        /// The links, for the drawing.
+        ///
+        /// Takes `phi`, in rad.
+        ///
+        /// A quantity that depends on something which cannot be assembled is NaN.
+        ///
+        /// Operations: 5 additions, 4 multiplications, 1 square root, 1 sine-cosine pair, 1 other.
+        #[must_use]
+        #[inline]
+        pub fn shape(&self, phi: T) -> __SliderCrank_shape::Shape<T> {
+            __p::call(&self.__sealed, [phi])
+        }
+        #[must_use]
+        /// `shape` at many positions: see [sweeps](Self#sweeps).
+        pub fn shape_sweep(&self, phi: &[T]) -> __SliderCrank_shape::ShapeColumns<T> {
+            __SliderCrank_shape::ShapeColumns(__p::sweep(&self.__sealed, [phi]))
+        }
+        /// `shape` at many positions, into columns that are there: see [sweeps](Self#sweeps).
+        pub fn shape_sweep_into(
+            &self,
+            phi: &[T],
+            columns: &mut __SliderCrank_shape::ShapeColumns<T>,
+        ) {
+            __p::sweep_into(&self.__sealed, [phi], &mut columns.0);
+        }
+        /// `shape` at many positions, into slices: see [sweeps](Self#sweeps).
+        pub fn shape_sweep_slices(&self, phi: &[T], slices: [&mut [T]; 10]) {
+            __p::Slices::<
+                __SliderCrank_shape::Shape<T>,
+            >::sweep(&self.__sealed, [phi], slices);
+        }
+        #[must_use]
+        /// `shape` for many mechanisms: see [sweeps](Self#sweeps).
+        pub fn shape_sweep_sets(
+            &self,
+            sets: &[SliderCrank<T>],
+            phi: &[T],
+        ) -> __SliderCrank_shape::ShapeColumns<T> {
+            __SliderCrank_shape::ShapeColumns(
+                __p::sweep_sets(&self.__sealed, sets, SliderCrank::__values, [phi]),
+            )
+        }
+        /// `shape` for many mechanisms, into columns that are there: see [sweeps](Self#sweeps).
+        pub fn shape_sweep_sets_into(
+            &self,
+            sets: &[SliderCrank<T>],
+            phi: &[T],
+            columns: &mut __SliderCrank_shape::ShapeColumns<T>,
+        ) {
+            __p::sweep_sets_into(
+                &self.__sealed,
+                sets,
+                SliderCrank::__values,
+                [phi],
+                &mut columns.0,
+            );
         }
     }
-}
+    #[doc(hidden)]
+    impl<T: __p::Scalar> __p::Function<T, __SliderCrankCore<T>, (), 1, 1, 10>
+    for __SliderCrank_shape::Shape<T> {
+        type Called = __SliderCrank_shape_stages;
+        type Refining = __SliderCrank_shape_stages;
+        type States = __p::NoStates;
+        const NAMES: &'static __p::FunctionNames<1> = &__p::FunctionNames {
+            function: "shape",
+            arguments: ["phi"],
+        };
+    }
+    #[doc(hidden)]
+    pub struct __SliderCrank_shape_stages;
+    impl<T: __p::Scalar> __p::Staged<T, __SliderCrankCore<T>, 1, 10>
+    for __SliderCrank_shape_stages {
+        const WIDE: __p::bool = !::core::cfg!(debug_assertions);
+        type Memory<const __BLOCK: __p::usize> = __p::Block<T, __BLOCK, 0>;
+        #[inline(always)]
+        fn run(__stages: &mut impl __p::RunStages<T, __SliderCrankCore<T>, Self>) {
+            __stages.stage::<0>();
+        }
+    }
+    impl<T: __p::Scalar> __p::Stage<T, __SliderCrankCore<T>, 0>
+    for __SliderCrank_shape_stages {
+        #[inline(always)]
+        fn row<const __FUSED: __p::bool, const __ROWS: __p::bool>(
+            __core: &__SliderCrankCore<T>,
+            __row: &mut impl __p::StageRow<T>,
+        ) {
+            let __SliderCrankCore { __mechanism: __m, __modes, __prepared, .. } = __core;
+            let __input0 = __row.number(0);
+            let __v0 = __input0;
+            let (__v1, __v2) = T::sin_cos_shortest::<__FUSED, __ROWS>(__v0);
+            let __v3 = __m.crank;
+            let __v4 = __v3 * __v2;
+            let __v5 = __v3 * __v1;
+            let __v6 = __m.offset;
+            let __v7 = T::mul_add::<__FUSED>(-__v3, __v1, __v6);
+            let __v8 = __prepared[1];
+            let __v9 = __v8 - __v7;
+            let __v10 = __v8 + __v7;
+            let __v11 = __v9 * __v10;
+            let __v12 = T::abs(__v4);
+            let __v13 = __v12 + __v8;
+            let __v14 = __prepared[2];
+            let __v15 = T::root_with::<__FUSED>(__v11, __v14, __v13);
+            let __v16 = __prepared[0];
+            let __v17 = T::mul_add::<__FUSED>(-__v16, __v15, __v4);
+            let __v18 = T::from_f64(0.0f64);
+            let __v19 = T::from_f64(1.0f64);
+            __row.finish(0, __v18);
+            __row.finish(1, __v18);
+            __row.finish(2, __v4);
+            __row.finish(3, __v5);
+            __row.finish(4, __v18);
+            __row.finish(5, __v6);
+            __row.finish(6, __v17);
+            __row.finish(7, __v6);
+            __row.finish(8, __v19);
+            __row.finish(9, __v18);
+        }
+        #[inline(always)]
+        fn write(__rows: &mut impl __p::FinishedRows) {
+            __rows.write(0);
+            __rows.write(1);
+            __rows.write(2);
+            __rows.write(3);
+            __rows.write(4);
+            __rows.write(5);
+            __rows.write(6);
+            __rows.write(7);
+            __rows.write(8);
+            __rows.write(9);
+        }
+    }
+    impl<T: __p::Scalar> __p::SetStages<T, __SliderCrankCore<T>, 3, 4, 4>
+    for __SliderCrank_shape_stages {
+        type Prepared<const __BLOCK: __p::usize> = __p::Block<T, __BLOCK, 3>;
+        #[inline(always)]
+        fn prepare<const __FUSED: __p::bool>(
+            __core: &__SliderCrankCore<T>,
+            __dimensions: &impl __p::RowNumbers<T>,
+            __slots: &mut impl __p::RowNumbersMut<T>,
+        ) {
+            let __SliderCrankCore { __modes, __turns, .. } = __core;
+            let __mechanism = SliderCrank::__of_row(__dimensions);
+            let [__value0, __value1, __value2, _, _, _, _, _, _] = SliderCrankAssembly::__prepare::<
+                __FUSED,
+            >(&__mechanism, __modes, __turns);
+            __slots.put(0, __value0);
+            __slots.put(1, __value1);
+            __slots.put(2, __value2);
+        }
+        #[inline(always)]
+        fn core(
+            __core: &__SliderCrankCore<T>,
+            __dimensions: &impl __p::RowNumbers<T>,
+            __slots: &impl __p::RowNumbers<T>,
+        ) -> __SliderCrankCore<T> {
+            let __zero = T::from_f64(0.0);
+            __SliderCrankCore {
+                __mechanism: SliderCrank::__of_row(__dimensions),
+                __prepared: [
+                    __slots.number(0),
+                    __slots.number(1),
+                    __slots.number(2),
+                    __zero,
+                    __zero,
+                    __zero,
+                    __zero,
+                    __zero,
+                    __zero,
+                ],
+                ..*__core
+            }
+        }
+    }
+};

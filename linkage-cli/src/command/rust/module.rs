@@ -4,7 +4,7 @@ use linkage_engine::Source;
 use linkage_js::description;
 use proc_macro2::TokenStream;
 use quote::{ToTokens, quote};
-use syn::{Attribute, File, ImplItem, Item, ItemImpl, Path, parse_quote};
+use syn::{Attribute, Expr, File, ImplItem, Item, ItemImpl, ItemMacro, Path, Stmt, parse_quote};
 
 use crate::failure::Failure;
 
@@ -77,6 +77,15 @@ impl Module<'_> {
                 }
                 vec![Item::Mod(item)]
             }
+            Item::Const(mut item) => {
+                self.quieten(&mut item.attrs);
+                if let Expr::Block(body) = &mut *item.expr {
+                    let statements = std::mem::take(&mut body.block.stmts);
+                    let statements = statements.into_iter().flat_map(|one| self.statement(one));
+                    body.block.stmts = statements.collect();
+                }
+                vec![Item::Const(item)]
+            }
             Item::Struct(mut item) => {
                 self.quieten(&mut item.attrs);
                 vec![Item::Struct(item)]
@@ -89,6 +98,21 @@ impl Module<'_> {
         }
     }
 
+    /// Treats a statement of the block around generated code as the item that it is.
+    fn statement(&mut self, statement: Stmt) -> Vec<Stmt> {
+        let item = match statement {
+            Stmt::Item(item) => item,
+            Stmt::Macro(call) => Item::Macro(ItemMacro {
+                attrs: call.attrs,
+                ident: None,
+                mac: call.mac,
+                semi_token: call.semi_token,
+            }),
+            other => return vec![other],
+        };
+        self.item(item).into_iter().map(Stmt::Item).collect()
+    }
+
     fn member(&mut self, member: ImplItem) -> Vec<ImplItem> {
         let ImplItem::Macro(member) = member else {
             return vec![member];
@@ -98,7 +122,8 @@ impl Module<'_> {
         }
         let members = &member.mac.tokens;
         let block: ItemImpl = parse_quote!(impl Members { #members });
-        block.items
+        let members = block.items.into_iter();
+        members.flat_map(|member| self.member(member)).collect()
     }
 
     /// Returns true if the items in this macro are wanted; those of other macros always.

@@ -26,7 +26,7 @@ pub(in crate::emit) fn assemble(
         turns,
         ..
     } = types;
-    let float = quote!(::core::primitive::f64);
+    let float = quote!(__p::f64);
     let turning = winding::turning(outline, unit);
     let at_estimates = winding::at_estimates(outline, unit);
     let made = assembly_data::made(outline);
@@ -40,17 +40,17 @@ pub(in crate::emit) fn assemble(
             __m: &#name<T>,
             __modes: #modes,
             __at: #inputs,
-        ) -> ::core::result::Result<Self, #runtime::AssemblyError> {
+        ) -> __p::Result<Self, #runtime::AssemblyError> {
             Self::__finite(__m)?;
             let mut __lanes = #runtime::Vec::new();
             for __lane in 0..T::LANES {
                 match Self::__on_lane(__m, __modes, __at, __lane, #runtime::Wanted::Nearest) {
-                    ::core::result::Result::Ok(__starts) => {
+                    __p::Ok(__starts) => {
                         ::core::iter::Extend::extend(&mut __lanes, __starts);
                     }
-                    ::core::result::Result::Err(__error) => {
+                    __p::Err(__error) => {
                         Self::__close_closed_forms(__m, __modes, __at)?;
-                        return ::core::result::Result::Err(__error);
+                        return __p::Err(__error);
                     }
                 }
             }
@@ -61,16 +61,16 @@ pub(in crate::emit) fn assemble(
             __m: &#name<T>,
             __modes: #modes,
             __at: #inputs,
-        ) -> ::core::result::Result<#runtime::Vec<Self>, #runtime::AssemblyError> {
+        ) -> __p::Result<#runtime::Vec<Self>, #runtime::AssemblyError> {
             Self::__finite(__m)?;
             let mut __found = #runtime::Vec::new();
-            let mut __missed = ::core::option::Option::None;
+            let mut __missed = __p::None;
             let __all = Self::__on_lane(__m, __modes, __at, 0, #runtime::Wanted::All);
             let __all = match __all {
-                ::core::result::Result::Ok(__all) => __all,
-                ::core::result::Result::Err(__error) => {
+                __p::Ok(__all) => __all,
+                __p::Err(__error) => {
                     Self::__close_closed_forms(__m, __modes, __at)?;
-                    return ::core::result::Result::Err(__error);
+                    return __p::Err(__error);
                 }
             };
             for __first in __all {
@@ -82,19 +82,19 @@ pub(in crate::emit) fn assemble(
                     ::core::iter::Extend::extend(&mut __lanes, __next);
                 }
                 match Self::__with_starts(__m, __modes, __at, &__lanes) {
-                    ::core::result::Result::Ok(__assembly) => __found.push(__assembly),
+                    __p::Ok(__assembly) => __found.push(__assembly),
                     // Others may let closed forms behind the coupled groups close.
-                    ::core::result::Result::Err(__error @ #runtime::AssemblyError::CannotClose { .. }) => {
-                        __missed = ::core::option::Option::Some(__error);
+                    __p::Err(__error @ #runtime::AssemblyError::CannotClose { .. }) => {
+                        __missed = __p::Some(__error);
                     }
-                    ::core::result::Result::Err(__error) => return ::core::result::Result::Err(__error),
+                    __p::Err(__error) => return __p::Err(__error),
                 }
             }
             match __missed {
-                ::core::option::Option::Some(__error) if __found.is_empty() => {
-                    ::core::result::Result::Err(__error)
+                __p::Some(__error) if __found.is_empty() => {
+                    __p::Err(__error)
                 }
-                _ => ::core::result::Result::Ok(__found),
+                _ => __p::Ok(__found),
             }
         }
 
@@ -103,9 +103,9 @@ pub(in crate::emit) fn assemble(
             __m: &#name<T>,
             __modes: #modes,
             __at: #inputs,
-            __lane: ::core::primitive::usize,
+            __lane: __p::usize,
             __wanted: #runtime::Wanted<'_, #count>,
-        ) -> ::core::result::Result<#runtime::Vec<[#runtime::Start; #count]>, #runtime::AssemblyError> {
+        ) -> __p::Result<#runtime::Vec<[#runtime::Start; #count]>, #runtime::AssemblyError> {
             let __m: #name<#float> = #name::__lane(__m, __lane);
             let __at = [#(#at),*];
             #runtime::starts(&#assembly::<#float>::__GROUPS, &__at, __wanted, |__number, __starts| {
@@ -118,17 +118,17 @@ pub(in crate::emit) fn assemble(
             __m: &#name<T>,
             __modes: #modes,
             __at: #inputs,
-        ) -> ::core::result::Result<(), #runtime::AssemblyError> {
+        ) -> __p::Result<(), #runtime::AssemblyError> {
             let __lanes = #runtime::nothing::<#count>(T::LANES);
             let __starts = Self::__starts(&__lanes);
             let __turns: #turns = #at_estimates;
             let __prepared = Self::__prepare_for_machine(__m, &__modes, &__turns);
             let __x = Self::__extend(&__starts, __at);
             match Self::__close(__m, &__modes, &__prepared, __x) {
-                ::core::result::Result::Err(__error @ #runtime::AssemblyError::CannotClose { .. }) => {
-                    ::core::result::Result::Err(__error)
+                __p::Err(__error @ #runtime::AssemblyError::CannotClose { .. }) => {
+                    __p::Err(__error)
                 }
-                _ => ::core::result::Result::Ok(()),
+                _ => __p::Ok(()),
             }
         }
 
@@ -137,13 +137,13 @@ pub(in crate::emit) fn assemble(
             __modes: #modes,
             __at: #inputs,
             __lanes: &[[#runtime::Start; #count]],
-        ) -> ::core::result::Result<Self, #runtime::AssemblyError> {
+        ) -> __p::Result<Self, #runtime::AssemblyError> {
             let __starts = Self::__starts(__lanes);
             let __x = Self::__extend(&__starts, __at);
             let __turns: #turns = #turning;
             let __prepared = Self::__prepare_for_machine(__m, &__modes, &__turns);
             Self::__close(__m, &__modes, &__prepared, __x)?;
-            ::core::result::Result::Ok(#made)
+            __p::Ok(#made)
         }
     }
 }

@@ -8,7 +8,8 @@ use crate::emit::array_fields::entries;
 use crate::emit::array_types::Types;
 use crate::emit::load::Places;
 use crate::emit::outline::{Function, Outline};
-use crate::emit::{assembly_data, attribute, literal};
+use crate::emit::stages::Version;
+use crate::emit::{attribute, literal, stages};
 use crate::ir::CompiledMechanism;
 
 /// The type of the mechanism that changes its dimensions.
@@ -20,12 +21,13 @@ fn moving_name(outline: &Outline) -> Ident {
 pub(super) fn items(outline: &Outline, unit: &CompiledMechanism) -> TokenStream {
     let Outline {
         runtime,
+        visibility,
         name,
         assembly,
         ..
     } = outline;
     let moving = moving_name(outline);
-    let float = quote!(::core::primitive::f64);
+    let float = quote!(__p::f64);
     let Types { modes, .. } = Types::new(outline, unit);
     let dimensions = outline.scalar_fields().len();
     let [parameters, angles, inputs, width, groups] = [
@@ -53,17 +55,19 @@ pub(super) fn items(outline: &Outline, unit: &CompiledMechanism) -> TokenStream 
         };
         quote!(#pattern => #runtime::fill(&#runtime::OverInputs::<_, #kernel>::new(&self), __rows, __columns),)
     });
-    let core = assembly_data::core(outline, &quote!(self));
-    let allow = attribute::allow();
+    let core = &outline.core;
+    let functions = outline
+        .functions
+        .iter()
+        .map(|function| of_function(outline, function));
     quote! {
-        #allow
-        struct #moving {
+        #[doc(hidden)]
+        #visibility struct #moving {
             __m: #name<#float>,
             __modes: #modes,
             __turns: #runtime::Turns<#float, #angles, #inputs>,
         }
         #(#kernels)*
-        #allow
         impl #runtime::Moving<#parameters, #width> for #moving {
             const GROUPS: &'static [#runtime::CoupledGroup] = {
                 const __GROUPS: &[#runtime::CoupledGroup; #groups] = &#assembly::<#float>::__GROUPS;
@@ -74,18 +78,16 @@ pub(super) fn items(outline: &Outline, unit: &CompiledMechanism) -> TokenStream 
 
             fn correct(
                 &self,
-                __group: ::core::primitive::usize,
+                __group: __p::usize,
                 __rows: &impl #runtime::Arguments<#float, #width>,
                 __columns: &mut #runtime::Columns<#float>,
             ) {
                 match __group { #(#corrections)* }
             }
         }
-        #allow
         impl<T: #runtime::Scalar> #assembly<T> {
             /// One lane, where it stands.
-            fn __moving(&self, __lane: ::core::primitive::usize) -> #moving {
-                let __core = #core;
+            fn __moving(__core: &#core<T>, __lane: __p::usize) -> #moving {
                 #moving {
                     __m: #name::__lane(&__core.__mechanism, __lane),
                     __modes: __core.__modes,
@@ -93,6 +95,7 @@ pub(super) fn items(outline: &Outline, unit: &CompiledMechanism) -> TokenStream 
                 }
             }
         }
+        #(#functions)*
     }
 }
 
@@ -109,8 +112,8 @@ fn kernel(outline: &Outline, number: usize, outputs: usize) -> TokenStream {
         assembly,
         ..
     } = outline;
-    let float = quote!(::core::primitive::f64);
-    let size = quote!(::core::primitive::usize);
+    let float = quote!(__p::f64);
+    let size = quote!(__p::usize);
     let (kernel, moving) = (kernel_name(outline, number), moving_name(outline));
     let method = format_ident!("__correct{number}");
     let dimensions = outline.scalar_fields().len();
@@ -123,13 +126,10 @@ fn kernel(outline: &Outline, number: usize, outputs: usize) -> TokenStream {
     let found = entries("__found", outputs);
     let columns: Vec<_> = (0..outputs).map(literal::index).collect();
     let outputs = literal::index(outputs);
-    let allow = attribute::allow();
     quote! {
-        #allow
         struct #kernel;
-        #allow
         impl<'a> #runtime::Staged<#float, &'a #moving, #width, #outputs> for #kernel {
-            const WIDE: ::core::primitive::bool = !::core::cfg!(debug_assertions);
+            const WIDE: __p::bool = !::core::cfg!(debug_assertions);
             type Memory<const __BLOCK: #size> = #runtime::Block<#float, __BLOCK, 0>;
 
             #[inline(always)]
@@ -137,10 +137,9 @@ fn kernel(outline: &Outline, number: usize, outputs: usize) -> TokenStream {
                 __stages.stage::<0>();
             }
         }
-        #allow
         impl<'a> #runtime::Stage<#float, &'a #moving, 0> for #kernel {
             #[inline(always)]
-            fn row<const __FUSED: ::core::primitive::bool, const __ROWS: ::core::primitive::bool>(
+            fn row<const __FUSED: __p::bool, const __ROWS: __p::bool>(
                 __moving: &&'a #moving,
                 __row: &mut impl #runtime::StageRow<#float>,
             ) {
@@ -159,9 +158,20 @@ fn kernel(outline: &Outline, number: usize, outputs: usize) -> TokenStream {
     }
 }
 
-/// The runtime's `Followed` for a function.
-pub(in crate::emit) fn followed(outline: &Outline, function: &Function) -> TokenStream {
-    let runtime = &outline.runtime;
+/// The runtime's `FollowedStages` for a function; nothing if it uses no states or has no sweep.
+fn of_function(outline: &Outline, function: &Function) -> TokenStream {
+    if function.states.is_empty() || function.arguments.is_empty() {
+        return TokenStream::new();
+    }
+    let Outline {
+        runtime,
+        assembly,
+        core,
+        ..
+    } = outline;
+    let stages = stages::name(outline, function, Version::refining(function));
+    let everywhere = &attribute::split(function.attributes).everywhere;
+    let moving = moving_name(outline);
     let all = Places::all(outline);
     let states = function.states.iter().flat_map(|&group| {
         let first = all.state(group, 0);
@@ -179,11 +189,18 @@ pub(in crate::emit) fn followed(outline: &Outline, function: &Function) -> Token
         .map(literal::index);
         quote!((#number, #first, #size))
     });
+    let [parameters, width] = [dimensions, dimensions + all.width()].map(literal::index);
     quote! {
-        #runtime::Followed {
-            mechanism: |__lane: ::core::primitive::usize| self.__moving(__lane),
-            places: &[#(#places),*],
-            groups: &[#(#groups),*],
+        #(#everywhere)*
+        impl<T: #runtime::Scalar> #runtime::FollowedStages<#core<T>, #parameters, #width> for #stages {
+            type Moving = #moving;
+            const PLACES: &'static [__p::usize] = &[#(#places),*];
+            const GROUPS: &'static [(__p::usize, __p::usize, __p::usize)] =
+                &[#(#groups),*];
+
+            fn moving(__core: &#core<T>, __lane: __p::usize) -> #moving {
+                #assembly::__moving(__core, __lane)
+            }
         }
     }
 }

@@ -6,7 +6,7 @@ use quote::{format_ident, quote};
 use crate::emit::array_types::{Types, coupled_name, starts_type};
 use crate::emit::load::Places;
 use crate::emit::outline::Outline;
-use crate::emit::{attribute, literal, winding};
+use crate::emit::{literal, winding};
 use crate::ir::{CompiledMechanism, Coupled};
 
 use super::description::description;
@@ -22,7 +22,7 @@ pub(super) fn items(outline: &Outline, unit: &CompiledMechanism) -> TokenStream 
         ..
     } = outline;
     let Types { modes, .. } = Types::new(outline, unit);
-    let float = quote!(::core::primitive::f64);
+    let float = quote!(__p::f64);
     // The prepared slots are plain numbers.
     let slots = literal::index(outline.prepared);
     let prepared = quote!([#float; #slots]);
@@ -134,39 +134,32 @@ pub(super) fn items(outline: &Outline, unit: &CompiledMechanism) -> TokenStream 
         .iter()
         .map(|group| description(outline, unit, group));
     let turns = turns(outline, unit);
-    let allow = attribute::allow();
     quote! {
-        #allow
         #[derive(::core::clone::Clone)]
         #[doc(hidden)]
         #visibility struct #coupled {
-            __number: ::core::primitive::usize,
+            __number: __p::usize,
             __m: #name<#float>,
             __modes: #modes,
             __prepared: #prepared,
             __starts: #starts,
             __at: [#float; #inputs],
         }
-        #allow
         impl #coupled {
             fn __place(&mut self, __own: &[#float]) -> [#float; #width] {
                 #set_inputs
                 #assembly::<#float>::__extend(&self.__starts, self.__at)
             }
         }
-        #allow
         impl #runtime::Correction for #coupled {
             fn correct(&mut self, __own: &[#float], __state: &mut [#float]) -> #runtime::Step { #correct }
         }
-        #allow
         impl #runtime::Residuals for #coupled { #residuals }
-        #allow
         impl #runtime::CoupledPrograms for #coupled {
             fn system(&mut self, __own: &[#float]) -> #runtime::Vec<[#float; 2]> { #system }
             fn placed(&mut self, __own: &[#float], __state: &[#float]) -> #runtime::Vec<[#float; 2]> { #placed }
             #of_followed
         }
-        #allow
         impl #assembly<#float> {
             const __GROUPS: [#runtime::CoupledGroup; #count] = [#(#groups),*];
 
@@ -175,13 +168,13 @@ pub(super) fn items(outline: &Outline, unit: &CompiledMechanism) -> TokenStream 
                 __m: &#name<#float>,
                 __modes: &#modes,
                 __at: [#float; #inputs],
-                __number: ::core::primitive::usize,
+                __number: __p::usize,
                 __prepared_starts: &[#runtime::Start; #count],
-            ) -> ::core::result::Result<#coupled, #runtime::AssemblyError> {
+            ) -> __p::Result<#coupled, #runtime::AssemblyError> {
                 let __starts = Self::__starts(::core::slice::from_ref(__prepared_starts));
                 #turns
                 let __prepared = <#assembly<#float>>::__prepare_for_machine(__m, __modes, &__turns);
-                ::core::result::Result::Ok(#coupled {
+                __p::Ok(#coupled {
                     __number, __m: *__m, __modes: *__modes, __prepared, __starts, __at,
                 })
             }

@@ -4,11 +4,10 @@ use proc_macro2::{Ident, TokenStream};
 use quote::{format_ident, quote};
 
 use crate::emit::docs::doc;
-use crate::emit::evaluator;
 use crate::emit::load::Places;
 use crate::emit::outline::{Function, Outline, plain};
 use crate::emit::stages::Version;
-use crate::emit::{assembly_data, attribute, literal, result_module};
+use crate::emit::{assembly_data, attribute, literal, result_module, stages};
 use crate::model::FOLLOWER;
 
 /// The name of the follower's type.
@@ -31,10 +30,8 @@ pub(super) fn method(outline: &Outline, function: &Function) -> TokenStream {
         plain(name)
     ));
     let body = outline.body(quote!(#runtime::single(self, [#(#others),*])));
-    let allow = attribute::allow();
     quote! {
         #(#everywhere)*
-        #allow
         impl<'a, T: #runtime::Scalar> #follower<'a, T> {
             #doc
             #[must_use]
@@ -75,21 +72,20 @@ pub(super) fn single_of(outline: &Outline, function: &Function, version: Version
     });
     let arguments = quote!([#(#arguments,)* #(#states),*]);
     let core = assembly_data::core(outline, &quote!(__assembly));
-    let value = evaluator::value(outline, function, &arguments, &core, version);
+    let [plain, refining] = [version, Version::refining(function)]
+        .map(|version| stages::name(outline, function, version));
     let result = result_module::result(outline, function);
     let others = others(outline, function);
     let count = literal::index(others.len());
-    let allow = attribute::allow();
     quote! {
         #(#everywhere)*
-        #allow
         #[doc(hidden)]
         impl<'a, T: #runtime::Scalar> #runtime::Single<T, #result<T>, #count> for #follower<'a, T> {
             #[inline(always)]
-            fn at<const __FUSED: ::core::primitive::bool>(&self, [#(#others),*]: [T; #count]) -> #result<T> {
+            fn at<const __FUSED: __p::bool>(&self, [#(#others),*]: [T; #count]) -> #result<T> {
                 let __assembly = self.assembly();
                 let __place = #runtime::Sealed::starts(&self.__sealed);
-                #value
+                #runtime::evaluate::<#plain, #refining, _, _, _, __FUSED, _, _>(#core, #arguments)
             }
         }
     }

@@ -42,11 +42,11 @@ fn the_surface_is_complete() {
         &[
             "pub struct SliderCrank<T = ::core::primitive::f64> {",
             "pub pivot: ::linkage::__private::Vector2<T>,",
-            "::linkage::__private::Vector2::new(1.0f64, (-2.0f64)),",
+            "__p::Vector2::new(1.0f64, (-2.0f64)),",
             "/// Length of the crank.\n    ///\n    /// In mm; default 10.\n    pub crank: T,",
             "/// `pivot`, in mm; default (1, -2), tolerance (0.5, 0).",
-            "pub const INDEX_PIVOT_Y: ::core::primitive::usize = 1;",
-            "::linkage::__private::parameter(\"pivot.x\", ",
+            "pub const INDEX_PIVOT_Y: __p::usize = 1;",
+            "__p::parameter(\"pivot.x\", ",
             "kind: \"RRP\",",
             "pub struct Turning<T = ::core::primitive::f64> {",
             "pub v: [::linkage::__private::Vector2<T>; 2],",
@@ -197,7 +197,7 @@ fn the_skeleton_has_the_same_items() {
             "pub crank: T,",
             "pub a: ::linkage::__private::Vector2<T>,",
             "pub s: T,",
-            "pub fn path(&self, phi: T) -> __SliderCrank_path::Path<T> {\n        ::core::unimplemented!",
+            "pub fn path(&self, phi: T) -> __SliderCrank_path::Path<T> {\n            ::core::unimplemented!",
         ],
     );
     let known = pretty(skeleton(&quote!(::linkage), &def, Some(&mechanism)));

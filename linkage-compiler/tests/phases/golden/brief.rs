@@ -2,12 +2,14 @@
 //!
 //! - `5-lower` shows the statements of programs. Here their number stands for them, with a check sum: it tells a change of how they are printed.
 //! - Of many statements or elements that differ in numbers only, the first is printed, and how many more there are, with a check sum.
-//! - What silences lints is printed once. An item without it is marked as `#[loud]`.
+//! - What silences lints is printed once. An item outside of other items without it is marked as `#[loud]`.
 //! - Macros that depend on features become an attribute of each item within: the printer leaves bodies of macros as they are.
 
 use proc_macro2::{Delimiter, Group, Ident, Literal, TokenStream, TokenTree};
 use quote::{ToTokens, quote};
-use syn::{Attribute, File, ImplItem, Item, ItemImpl, ItemMod, Path, parse_quote};
+use syn::{
+    Attribute, Expr, File, ImplItem, Item, ItemImpl, ItemMacro, ItemMod, Path, Stmt, parse_quote,
+};
 
 /// The items as text.
 pub(super) fn brief(items: &TokenStream) -> String {
@@ -22,13 +24,13 @@ pub(super) fn brief(items: &TokenStream) -> String {
     let silence = silence
         .expect("generated items silence lints")
         .to_token_stream();
-    quieten(&mut file.items, &silence.to_string());
+    quieten(&mut file.items, &silence.to_string(), true);
     let once: File = parse_quote!(#silence mod every_item {});
     prettyplease::unparse(&once) + &prettyplease::unparse(&file)
 }
 
-/// Takes what silences lints from all items, at every depth.
-fn quieten(items: &mut [Item], silence: &str) {
+/// Takes what silences lints from all items and from those of modules; those of the `outermost` must have it.
+fn quieten(items: &mut [Item], silence: &str, outermost: bool) {
     for item in items {
         let attributes = attributes(item);
         let place = attributes
@@ -36,10 +38,11 @@ fn quieten(items: &mut [Item], silence: &str) {
             .position(|a| a.to_token_stream().to_string() == silence);
         match place {
             Some(place) => drop(attributes.remove(place)),
-            None => attributes.insert(0, parse_quote!(#[loud])),
+            None if outermost => attributes.insert(0, parse_quote!(#[loud])),
+            None => {}
         }
         if let Item::Mod(module) = item {
-            quieten(content(module), silence);
+            quieten(content(module), silence, false);
         }
     }
 }
@@ -95,8 +98,8 @@ fn kind(part: &[TokenTree]) -> Kind {
     }
     let text = text(part);
     let text = text.trim_end_matches([' ', ',']);
-    // What ends with a block may be an arm of a match.
-    match text.contains("__") && !text.ends_with('}') {
+    // What ends with a block may be an arm of a match, and what begins with attributes has docs.
+    match text.contains("__") && !text.ends_with('}') && !text.starts_with('#') {
         true => Kind::Like(without_numbers(text)),
         false => Kind::Other,
     }
@@ -216,7 +219,29 @@ fn unwrapped(item: Item) -> Vec<Item> {
             *content(&mut module) = items.into_iter().flat_map(unwrapped).collect();
             vec![Item::Mod(module)]
         }
+        Item::Const(mut item) => {
+            if let Expr::Block(body) = &mut *item.expr {
+                let statements = std::mem::take(&mut body.block.stmts);
+                let items = statements.into_iter().map(item_of).flat_map(unwrapped);
+                body.block.stmts = items.map(Stmt::Item).collect();
+            }
+            vec![Item::Const(item)]
+        }
         other => vec![other],
+    }
+}
+
+/// A statement of the block around generated code as an item.
+fn item_of(statement: Stmt) -> Item {
+    match statement {
+        Stmt::Item(item) => item,
+        Stmt::Macro(call) => Item::Macro(ItemMacro {
+            attrs: call.attrs,
+            ident: None,
+            mac: call.mac,
+            semi_token: call.semi_token,
+        }),
+        other => panic!("items: {}", other.to_token_stream()),
     }
 }
 
@@ -231,7 +256,8 @@ fn unwrapped_member(member: ImplItem) -> Vec<ImplItem> {
     let members = member.mac.tokens;
     let block: ItemImpl = parse_quote!(impl Members { #members });
     let feature = feature(&member.mac.path);
-    let mut members = block.items;
+    let members = block.items.into_iter().flat_map(unwrapped_member);
+    let mut members: Vec<ImplItem> = members.collect();
     for member in &mut members {
         match member {
             ImplItem::Fn(function) => function.attrs.insert(0, parse_quote!(#[#feature])),
@@ -247,6 +273,7 @@ fn feature(path: &Path) -> &Ident {
 
 fn attributes(item: &mut Item) -> &mut Vec<Attribute> {
     match item {
+        Item::Const(item) => &mut item.attrs,
         Item::Struct(item) => &mut item.attrs,
         Item::Impl(item) => &mut item.attrs,
         Item::Mod(item) => &mut item.attrs,

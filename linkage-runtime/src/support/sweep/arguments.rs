@@ -1,5 +1,6 @@
 //! Sources of the arguments of a sweep.
 
+use crate::support::evaluation::FunctionNames;
 use linkage_core::Scalar;
 
 /// Rows of `I` arguments.
@@ -24,31 +25,24 @@ pub trait Arguments<T, const I: usize> {
 
 /// One slice for each input or argument. A slice with a single element has that value in all rows.
 #[derive(Clone, Copy, Debug)]
-pub struct Inputs<'a, T, const I: usize> {
-    /// The function, for the panic.
-    pub title: &'static str,
-    /// Names of the inputs, for the panic.
-    pub names: [&'static str; I],
+pub(super) struct Inputs<'a, T, const I: usize> {
+    /// Names for the panic.
+    pub names: &'static FunctionNames<I>,
+    /// The end of the name of the sweep, for the panic.
+    pub sweep: &'static str,
     /// The slices.
     pub slices: [&'a [T]; I],
-}
-
-impl<'a, T, const I: usize> Inputs<'a, T, I> {
-    /// The arguments of the function `title`.
-    pub fn new(title: &'static str, names: [&'static str; I], slices: [&'a [T]; I]) -> Self {
-        Self {
-            title,
-            names,
-            slices,
-        }
-    }
 }
 
 impl<T: Scalar, const I: usize> Arguments<T, I> for Inputs<'_, T, I> {
     fn check(&self) -> usize {
         let Self {
-            title,
-            names,
+            names:
+                FunctionNames {
+                    function,
+                    arguments,
+                },
+            sweep,
             slices,
         } = self;
         // The first slice with other than one element determines the number of rows.
@@ -57,11 +51,11 @@ impl<T: Scalar, const I: usize> Arguments<T, I> for Inputs<'_, T, I> {
             .enumerate()
             .find(|(_, len)| *len != 1)
             .unwrap_or((0, usize::from(I > 0)));
-        for (name, slice) in names.iter().zip(slices) {
+        for (name, slice) in arguments.iter().zip(slices) {
             assert!(
                 slice.len() == len || slice.len() == 1,
-                "{title}: `{}` has {len} elements, `{name}` has {}",
-                names[first],
+                "{function}{sweep}: `{}` has {len} elements, `{name}` has {}",
+                arguments[first],
                 slice.len()
             );
         }
@@ -107,11 +101,11 @@ fn repeat_last<T: Copy>(column: &mut [T], slice: &[T], start: usize) {
 /// mechanism, or a single element for all. A row is the scalars of the dimensions, then the inputs:
 /// `I` numbers.
 #[derive(Clone, Copy, Debug)]
-pub struct Sets<'a, M, T, F, const N: usize, const I: usize> {
-    /// The function, for the panic.
-    pub title: &'static str,
-    /// Names of the inputs, for the panic.
-    pub names: [&'static str; N],
+pub(super) struct Sets<'a, M, T, F, const N: usize, const I: usize> {
+    /// Names for the panic.
+    pub names: &'static FunctionNames<N>,
+    /// The end of the name of the sweep, for the panic.
+    pub sweep: &'static str,
     /// The mechanisms.
     pub sets: &'a [M],
     /// The inputs.
@@ -129,11 +123,12 @@ where
     fn check(&self) -> usize {
         const { assert!(I == P + N, "dimensions and inputs") };
         let len = self.sets.len();
-        for (name, slice) in self.names.iter().zip(self.slices) {
+        for (name, slice) in self.names.arguments.iter().zip(self.slices) {
             assert!(
                 slice.len() == len || slice.len() == 1,
-                "{}: there are {len} mechanisms, but `{name}` has {} elements; give it {len} or 1",
-                self.title,
+                "{}{}: there are {len} mechanisms, but `{name}` has {} elements; give it {len} or 1",
+                self.names.function,
+                self.sweep,
                 slice.len()
             );
         }

@@ -1,41 +1,42 @@
 //! Arguments with the states of coupled groups after them.
 
+use core::marker::PhantomData;
+
 use super::arguments::Arguments;
+use crate::support::evaluation::States;
 use linkage_core::Scalar;
 
-/// Sources of the states of coupled groups: `S` numbers from `J` inputs.
-pub trait States<T, const J: usize, const S: usize> {
-    /// The states of the first `vectors` times `V` rows of the inputs. With `FUSED` only on
-    /// machines with fused multiply-add.
-    fn fill<const FUSED: bool, const V: usize, const B: usize>(
-        &self,
-        inputs: &[[T; B]; J],
-        vectors: usize,
-        states: &mut [[T; B]; S],
-    );
+/// Rows of `Q` numbers, the last `I` of them arguments of a function, with the states of `F` after
+/// them.
+#[derive(Debug)]
+pub(super) struct Extended<'a, A, S, F, const Q: usize, const I: usize, const N: usize> {
+    rows: A,
+    initial: &'a S,
+    states: PhantomData<fn() -> F>,
 }
 
-/// Rows of `I` arguments, `J` of them inputs, with `S` states after them.
-#[derive(Clone, Copy, Debug)]
-pub struct Extended<A, F, const I: usize, const J: usize, const S: usize> {
-    /// The rows.
-    pub inner: A,
-    /// The first of the inputs among the arguments.
-    pub first: usize,
-    /// The function from inputs to states.
-    pub states: F,
+impl<'a, A, S, F, const Q: usize, const I: usize, const N: usize> Extended<'a, A, S, F, Q, I, N> {
+    /// The states are looked up in the `initial` ones.
+    #[inline(always)]
+    pub(super) fn new(rows: A, initial: &'a S) -> Self {
+        Self {
+            rows,
+            initial,
+            states: PhantomData,
+        }
+    }
 }
 
-impl<T, A, F, const I: usize, const J: usize, const S: usize, const N: usize> Arguments<T, N>
-    for Extended<A, F, I, J, S>
+impl<T, A, S, F, const Q: usize, const I: usize, const N: usize, const R: usize> Arguments<T, R>
+    for Extended<'_, A, S, F, Q, I, N>
 where
     T: Scalar,
-    A: Arguments<T, I>,
-    F: States<T, J, S>,
+    A: Arguments<T, Q>,
+    F: States<T, S, I, N>,
 {
     fn check(&self) -> usize {
-        const { assert!(N == I + S, "a row and its states") };
-        self.inner.check()
+        const { assert!(R - Q == N - I && Q >= I, "a row and its states") };
+        self.rows.check()
     }
 
     #[inline(always)]
@@ -43,16 +44,14 @@ where
         &self,
         start: usize,
         rows: usize,
-        block: &mut [[T; B]; N],
+        block: &mut [[T; B]; R],
     ) {
-        let Some((inner, states)) = block.split_first_chunk_mut() else {
+        let Some((known, states)) = block.split_first_chunk_mut() else {
             return;
         };
-        self.inner.block::<FUSED, V, B>(start, rows, inner);
-        if let (Some(inputs), Some(states)) =
-            (inner[self.first..].first_chunk(), states.first_chunk_mut())
-        {
-            self.states.fill::<FUSED, V, B>(inputs, rows / V, states);
+        self.rows.block::<FUSED, V, B>(start, rows, known);
+        if let Some(arguments) = known.last_chunk::<I>() {
+            F::fill::<FUSED, V, B>(self.initial, arguments, rows / V, states);
         }
     }
 }

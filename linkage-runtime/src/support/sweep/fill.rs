@@ -39,7 +39,7 @@ const CALLS: usize = 3;
 ///
 /// Panics if the arguments differ in length.
 #[inline(always)]
-pub fn fill_or_call<T: Scalar, R: ResultRow<T, W>, const I: usize, const W: usize>(
+pub(super) fn fill_or_call<T: Scalar, R: ResultRow<T, W>, const I: usize, const W: usize>(
     kernel: &impl Kernel<T, I, W>,
     arguments: &impl Arguments<T, I>,
     columns: &mut ResultColumns<T, R, W>,
@@ -63,7 +63,7 @@ pub fn fill_or_call<T: Scalar, R: ResultRow<T, W>, const I: usize, const W: usiz
 /// # Panics
 ///
 /// Panics if the arguments differ in length.
-pub fn fill_results<T: Scalar, R, const I: usize, const W: usize>(
+pub(super) fn fill_results<T: Scalar, R, const I: usize, const W: usize>(
     kernel: &impl Kernel<T, I, W>,
     arguments: &impl Arguments<T, I>,
     columns: &mut ResultColumns<T, R, W>,
@@ -71,23 +71,28 @@ pub fn fill_results<T: Scalar, R, const I: usize, const W: usize>(
     fill(kernel, arguments, columns.columns_mut());
 }
 
-/// The value of an input in a row: one that is alone is that of all rows.
+/// The values of the arguments in a row: one that is alone is that of all rows.
 #[inline(always)]
-pub fn in_row<T: Copy>(values: &[T], row: usize) -> T {
-    match values {
-        [value] => *value,
-        _ => values[row],
+pub(super) fn row_of<T: Scalar, const I: usize>(slices: &[&[T]; I], row: usize) -> [T; I] {
+    let mut values = [T::from_f64(0.0); I];
+    // A loop: closures over arrays are not always inlined.
+    for (value, slice) in values.iter_mut().zip(slices) {
+        *value = match slice {
+            [one] => *one,
+            _ => slice[row],
+        };
     }
+    values
 }
 
-/// Evaluates `kernel` at all positions, into slices of that length. `title` is the function, for
+/// Evaluates `kernel` at all positions, into slices of that length. `function` is its name, for
 /// the panic.
 ///
 /// # Panics
 ///
 /// Panics if the arguments or slices differ in length.
-pub fn fill_slices<T: Scalar, const I: usize, const W: usize>(
-    title: &str,
+pub(super) fn fill_slices<T: Scalar, const I: usize, const W: usize>(
+    function: &str,
     kernel: &impl Kernel<T, I, W>,
     arguments: &impl Arguments<T, I>,
     slices: [&mut [T]; W],
@@ -96,7 +101,7 @@ pub fn fill_slices<T: Scalar, const I: usize, const W: usize>(
     for (index, slice) in slices.iter().enumerate() {
         assert!(
             slice.len() == len,
-            "{title}: there are {len} positions, but slice {index} has {} elements",
+            "{function}_sweep_slices: there are {len} positions, but slice {index} has {} elements",
             slice.len()
         );
     }

@@ -23,7 +23,7 @@ const TOGETHER: usize = 512;
 
 /// A function's part of a mechanism that is followed.
 #[derive(Clone, Copy, Debug)]
-pub struct Followed<F, const P: usize> {
+pub(super) struct Followed<F, const P: usize> {
     /// The mechanism of a lane, a [`Moving`].
     pub mechanism: F,
     /// Positions of inputs, states and floors of the function's rows in those of the mechanism;
@@ -159,7 +159,16 @@ fn one_row<T: Scalar, const I: usize>(arguments: &impl Arguments<T, I>, number: 
 /// # Panics
 ///
 /// Panics if the arguments differ in length.
-pub fn fill_followed<T, Q, M, F, const P: usize, const R: usize, const I: usize, const W: usize>(
+pub(super) fn fill_followed<
+    T,
+    Q,
+    M,
+    F,
+    const P: usize,
+    const R: usize,
+    const I: usize,
+    const W: usize,
+>(
     kernel: &impl Kernel<T, I, W>,
     arguments: &impl Arguments<T, I>,
     followed: &Followed<F, P>,
@@ -187,7 +196,7 @@ pub fn fill_followed<T, Q, M, F, const P: usize, const R: usize, const I: usize,
 ///
 /// Panics if the arguments differ in length.
 #[cfg(feature = "rayon")]
-pub fn fill_followed_parallel<
+pub(super) fn fill_followed_parallel<
     T,
     Q,
     M,

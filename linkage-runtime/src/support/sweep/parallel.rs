@@ -11,7 +11,7 @@ use linkage_core::Scalar;
 /// # Panics
 ///
 /// Panics if the arguments differ in length.
-pub fn fill_parallel<T: Scalar + Send + Sync, R, const I: usize, const W: usize>(
+pub(super) fn fill_parallel<T: Scalar + Send + Sync, R, const I: usize, const W: usize>(
     kernel: &(impl Kernel<T, I, W> + Sync),
     arguments: &(impl Arguments<T, I> + Sync),
     columns: &mut ResultColumns<T, R, W>,

@@ -19,7 +19,10 @@ pub trait RowNumbersMut<T> {
 }
 
 /// A function over mechanisms: the prepared numbers of each mechanism that the function uses.
-pub trait SetStages<T, C> {
+///
+/// A row has `P` dimensions: `Q` numbers with the arguments of the function after them, and `R`
+/// with those of its program.
+pub trait SetStages<T, C, const P: usize, const Q: usize, const R: usize> {
     /// The prepared numbers of `B` rows.
     type Prepared<const B: usize>: Memory<T>;
 
@@ -66,27 +69,25 @@ where
     }
 }
 
-/// The kernel over mechanisms of the function `F`: rows of `R` numbers, which are `P` dimensions
-/// and `N` arguments.
-#[derive(Debug)]
-pub struct OverSets<'a, C, F, const P: usize, const N: usize, const R: usize>(
+/// The kernel over mechanisms of the function `F`: rows of `P` dimensions and `N` arguments.
+pub(super) struct OverSets<'a, C, F, const P: usize, const N: usize, const Q: usize>(
     &'a C,
     PhantomData<fn() -> F>,
 );
 
-impl<'a, C, F, const P: usize, const N: usize, const R: usize> OverSets<'a, C, F, P, N, R> {
+impl<'a, C, F, const P: usize, const N: usize, const Q: usize> OverSets<'a, C, F, P, N, Q> {
     /// For mechanisms assembled as the one with the data `core`.
-    pub fn new(core: &'a C) -> Self {
+    pub(super) fn new(core: &'a C) -> Self {
         Self(core, PhantomData)
     }
 }
 
-impl<T, C, F, const P: usize, const N: usize, const R: usize, const W: usize> Kernel<T, R, W>
-    for OverSets<'_, C, F, P, N, R>
+impl<T, C, F, const P: usize, const N: usize, const Q: usize, const R: usize, const W: usize>
+    Kernel<T, R, W> for OverSets<'_, C, F, P, N, Q>
 where
     T: Scalar,
     C: Copy,
-    F: Staged<T, C, N, W> + SetStages<T, C>,
+    F: Staged<T, C, N, W> + SetStages<T, C, P, Q, R>,
 {
     const WIDE: bool = F::WIDE;
 
@@ -99,7 +100,7 @@ where
     ) {
         const { assert!(R == P + N, "dimensions and arguments") };
         let prepared = F::Prepared::<B>::filled(T::from_f64(0.0));
-        let cores = SetCores(prepared, PhantomData::<fn() -> F>);
+        let cores = SetCores::<_, F, P, Q>(prepared, PhantomData);
         over_blocks::<F, _, _, _, FUSED, V, B, N, R, W, P>(
             self.0, cores, arguments, first, columns,
         );
@@ -226,13 +227,14 @@ impl<T, C, const B: usize, const R: usize> Cores<T, C, B, R> for OneCore {
 }
 
 /// Each row is another mechanism, with its prepared numbers.
-struct SetCores<M, F>(M, PhantomData<fn() -> F>);
+struct SetCores<M, F, const P: usize, const Q: usize>(M, PhantomData<fn() -> F>);
 
-impl<T, C, M, F, const B: usize, const R: usize> Cores<T, C, B, R> for SetCores<M, F>
+impl<T, C, M, F, const P: usize, const Q: usize, const B: usize, const R: usize> Cores<T, C, B, R>
+    for SetCores<M, F, P, Q>
 where
     T: Copy,
     M: Memory<T>,
-    F: SetStages<T, C>,
+    F: SetStages<T, C, P, Q, R>,
 {
     // All rows of the block, also those that are not asked for: only a loop of a fixed length
     // becomes vectors of full width.

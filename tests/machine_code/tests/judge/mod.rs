@@ -1,6 +1,6 @@
 //! What machine code must be like, and a table of its size (printed with `--nocapture`).
 
-use linkage::__private::{Single, inlined};
+use linkage::__private::{Function, Sealed, call_inlined};
 use linkage::{Operations, Structure};
 use linkage_machine_code::{Findings, Loops, Set, chosen, inspect, sweep};
 
@@ -66,13 +66,30 @@ macro_rules! mechanisms {
 }
 
 /// A function's code for the flags of the build. What `like` would return tells which function it is.
+#[allow(unsafe_code, reason = "the code is read, but never runs")]
 #[inline(always)]
-pub(crate) fn of_the_build<A: Single<f64, R, I>, R, const I: usize>(
+pub(crate) fn of_the_build<
+    A,
+    C,
+    S,
+    R: Function<f64, C, S, I, N, W>,
+    const I: usize,
+    const N: usize,
+    const W: usize,
+>(
     assembly: &A,
     x: [f64; I],
     _like: impl Fn() -> R,
 ) -> R {
-    inlined(assembly, x)
+    const {
+        assert!(
+            size_of::<A>() == size_of::<Sealed<C, S>>(),
+            "it has one field"
+        )
+    };
+    // SAFETY: the assembly consists of its data, and this code is read, but never runs.
+    let data: &Sealed<C, S> = unsafe { &*core::ptr::from_ref(assembly).cast() };
+    call_inlined(data, x)
 }
 
 /// Every function of the mechanism must be checked.
