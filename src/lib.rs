@@ -71,6 +71,38 @@ macro_rules! mechanism {
     };
 }
 
+/// Its content if feature `alloc` is on, else nothing: generated code cannot see the features.
+#[cfg(feature = "alloc")]
+#[doc(hidden)]
+#[macro_export]
+macro_rules! if_alloc {
+    ($($item:tt)*) => { $($item)* };
+}
+
+/// Its content if feature `alloc` is on, else nothing: generated code cannot see the features.
+#[cfg(not(feature = "alloc"))]
+#[doc(hidden)]
+#[macro_export]
+macro_rules! if_alloc {
+    ($($item:tt)*) => {};
+}
+
+/// Its content if feature `rayon` is on, else nothing.
+#[cfg(feature = "rayon")]
+#[doc(hidden)]
+#[macro_export]
+macro_rules! if_rayon {
+    ($($item:tt)*) => { $($item)* };
+}
+
+/// Its content if feature `rayon` is on, else nothing.
+#[cfg(not(feature = "rayon"))]
+#[doc(hidden)]
+#[macro_export]
+macro_rules! if_rayon {
+    ($($item:tt)*) => {};
+}
+
 /// Its content if feature `report` or `design` is on, which read columns by their names, else
 /// nothing: unused items need not be compiled.
 #[cfg(any(feature = "report", feature = "design"))]
@@ -327,7 +359,7 @@ struct Overview;
 /// see.
 #[doc(hidden)]
 pub mod __private {
-    pub use crate::if_report;
+    pub use crate::{if_alloc, if_rayon, if_report};
     pub use core::marker::{Send, Sync};
     pub use core::option::Option;
     pub use core::option::Option::{None, Some};
@@ -372,8 +404,7 @@ pub mod __private {
         AssemblyError, AssemblyMode, Axis, Dimensions, Drive, DriveOn, FUSED, Frame, FunctionInfo,
         Gear, Group, Guide, GuideOn, GuideShape, Heading, Input, JointShape, NotFollowed,
         Parameter, Picture, PictureColumns, PictureJoint, PictureLink, PicturePart, PicturePoint,
-        PlaneFrame, PointKind, Programs, ResultRow, Scalar, Structure, Vector2, Vector3, if_alloc,
-        if_rayon,
+        PlaneFrame, PointKind, Programs, ResultRow, Scalar, Structure, Vector2, Vector3,
     };
     #[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]
     pub use linkage_runtime::{Circuits, Cycle, RangeReport};

@@ -77,35 +77,3 @@ pub use sweep::{
 pub use sweep::{FollowedStages, Moving, followed_sweep_sets, followed_sweep_sets_into};
 #[cfg(feature = "rayon")]
 pub use sweep::{followed_sweep_sets_parallel_into, sweep_parallel_into, sweep_sets_parallel_into};
-
-/// Its content if feature `alloc` is on, else nothing: generated code cannot see the features.
-#[cfg(feature = "alloc")]
-#[doc(hidden)]
-#[macro_export]
-macro_rules! if_alloc {
-    ($($item:tt)*) => { $($item)* };
-}
-
-/// Its content if feature `alloc` is on, else nothing: generated code cannot see the features.
-#[cfg(not(feature = "alloc"))]
-#[doc(hidden)]
-#[macro_export]
-macro_rules! if_alloc {
-    ($($item:tt)*) => {};
-}
-
-/// Its content if feature `rayon` is on, else nothing.
-#[cfg(feature = "rayon")]
-#[doc(hidden)]
-#[macro_export]
-macro_rules! if_rayon {
-    ($($item:tt)*) => { $($item)* };
-}
-
-/// Its content if feature `rayon` is on, else nothing.
-#[cfg(not(feature = "rayon"))]
-#[doc(hidden)]
-#[macro_export]
-macro_rules! if_rayon {
-    ($($item:tt)*) => {};
-}
