@@ -3,7 +3,6 @@
 use std::rc::Rc;
 
 use proc_macro2::TokenStream;
-use quote::quote;
 
 use crate::assembly::AssembledPart;
 use crate::diagnostic::{Diagnostics, Message};
@@ -12,7 +11,7 @@ use crate::model::{Library, Model};
 use crate::observer::PhaseObserver;
 use crate::part_order::part_order;
 use crate::syntax::{Attribute, MechanismDef};
-use crate::{emit, model, pipeline, syntax};
+use crate::{model, pipeline, syntax};
 
 /// The result of [`check`](crate::check) for one mechanism.
 #[derive(Clone, Debug)]
@@ -28,19 +27,25 @@ pub struct Checked {
 }
 
 /// All mechanisms of a call after the phases before emission, as far as mistakes permit.
-pub(crate) struct Driver {
+#[doc(hidden)]
+pub struct Driver {
     /// Mistakes in the text.
-    pub(crate) syntax: Diagnostics,
+    pub syntax: Diagnostics,
     /// In the order in which they are written.
-    pub(crate) mechanisms: Vec<Analysed>,
+    pub mechanisms: Vec<Analysed>,
 }
 
 /// One mechanism after these phases.
-pub(crate) struct Analysed {
-    pub(crate) definition: MechanismDef,
-    pub(crate) model: Option<Rc<Model>>,
-    pub(crate) unit: Option<CompiledMechanism>,
-    pub(crate) diagnostics: Diagnostics,
+#[doc(hidden)]
+pub struct Analysed {
+    /// Its text.
+    pub definition: MechanismDef,
+    /// Its names and types, if they are resolved.
+    pub model: Option<Rc<Model>>,
+    /// Its programs, as far as there is no mistake.
+    pub unit: Option<CompiledMechanism>,
+    /// Its messages.
+    pub diagnostics: Diagnostics,
 }
 
 /// Results of the phases for one mechanism, as far as they have run.
@@ -54,6 +59,11 @@ struct Progress {
 }
 
 impl Driver {
+    /// Runs the phases for all mechanisms of a call.
+    pub fn analyse(body: TokenStream) -> Self {
+        Self::run(body, &mut ())
+    }
+
     /// Runs the phases for all mechanisms. The observer sees those of the last one.
     pub(crate) fn run(body: TokenStream, observer: &mut dyn PhaseObserver) -> Self {
         let mut syntax = Diagnostics::default();
@@ -100,15 +110,6 @@ impl Driver {
             mechanisms: mechanisms.collect(),
             syntax,
         }
-    }
-
-    /// Returns all items of all mechanisms, or mistakes and skeletons.
-    pub(crate) fn emitted(&self, krate: &TokenStream, printed: &emit::Printer) -> TokenStream {
-        let mut items = self.syntax.to_tokens();
-        for mechanism in &self.mechanisms {
-            items.extend(mechanism.emitted(krate, printed, self.syntax.is_empty()));
-        }
-        items
     }
 
     /// Returns the messages of each mechanism. Mistakes of the text are with the first one.
@@ -178,24 +179,6 @@ fn closed_parts(
 }
 
 impl Analysed {
-    fn emitted(&self, krate: &TokenStream, printed: &emit::Printer, sound: bool) -> TokenStream {
-        let errors = self.diagnostics.to_tokens();
-        match &self.unit {
-            Some(unit) if sound && self.diagnostics.is_empty() => {
-                let items = emit::emit(krate, &self.definition, unit, printed);
-                let warnings = self
-                    .diagnostics
-                    .warnings_to_tokens(&self.definition.allows());
-                quote!(#items #warnings)
-            }
-            _ => {
-                let mechanism = self.model.as_ref().map(|model| &model.mechanism);
-                let skeleton = emit::skeleton(krate, &self.definition, mechanism);
-                quote!(#errors #skeleton)
-            }
-        }
-    }
-
     fn checked(self) -> Checked {
         let (messages, mut warnings) = self.diagnostics.into_messages();
         let mut attributes = self.definition.attributes.iter();

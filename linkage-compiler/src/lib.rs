@@ -54,16 +54,13 @@
 mod algebra;
 mod assembly;
 mod checks;
-mod diagnostic;
 mod driver;
-mod emit;
 mod forces;
 pub mod ir;
 mod lower;
 mod machine;
 mod message_format;
 mod mobility;
-mod model;
 mod observer;
 mod oracle;
 mod outputs;
@@ -72,34 +69,19 @@ mod picture;
 mod pipeline;
 mod solve;
 mod structure;
-mod syntax;
 pub mod trace;
 mod vector;
 
-use proc_macro2::{Group, Ident, Span, TokenStream, TokenTree};
+use linkage_language::{diagnostic, model, syntax};
+use proc_macro2::{Ident, Span, TokenStream};
 use quote::quote;
-
-use driver::Driver;
-use ir::CompiledMechanism;
 
 pub use diagnostic::text::{short_words, shortened};
 pub use diagnostic::{Message, SourceSpan};
-pub use driver::Checked;
+pub use driver::{Analysed, Checked, Driver};
 #[doc(inline)]
 pub use linkage_core::range_check::length_as_written;
 pub use oracle::Oracle;
-
-/// Compiles the macro's input: the path of the facade in brackets, then one or several mechanisms.
-/// Mistakes become `compile_error!`s next to a skeleton of the generated items. A mechanism that is
-/// drawn gets its programs as a text, too, which `printed` makes of its name and its unit: reports
-/// compute with it.
-pub fn compile(
-    input: TokenStream,
-    printed: impl Fn(&str, &CompiledMechanism) -> String,
-) -> TokenStream {
-    let (krate, body) = split_crate_path(input);
-    Driver::run(body, &mut ()).emitted(&krate, &printed)
-}
 
 /// Analyses a mechanism, the macro's input without the path of the facade. With several mechanisms
 /// it returns the last, which may have the others as parts, with the messages of all; [`check_all`]
@@ -147,13 +129,4 @@ pub fn check_value(name: &str, value: TokenStream, length: &str) -> Checked {
     let name = word(name).unwrap_or_else(|| Ident::new("value", Span::call_site()));
     let length = word(length).unwrap_or_else(|| Ident::new("m", Span::call_site()));
     check(quote!(struct Value { unit #length; param #name = (#value); }))
-}
-
-/// The bracketed path that the facade's wrapper puts in front, and the rest.
-fn split_crate_path(input: TokenStream) -> (TokenStream, TokenStream) {
-    let mut tokens = input.into_iter();
-    match tokens.next() {
-        Some(TokenTree::Group(path)) => (Group::stream(&path), tokens.collect()),
-        first => (quote!(::linkage), first.into_iter().chain(tokens).collect()),
-    }
 }

@@ -4,7 +4,6 @@ use std::fmt::Write;
 
 use linkage_symbolic::program::Program;
 use proc_macro2::TokenStream;
-use quote::quote;
 
 use crate::algebra::{Algebra, Nominal};
 use crate::driver::Driver;
@@ -30,8 +29,6 @@ pub struct Trace {
     /// The functions after each pass that changed something: the number of the function, the pass,
     /// the program.
     pub passes: Vec<(usize, &'static str, String)>,
-    /// The generated items.
-    pub emit: TokenStream,
     /// Messages, if there are any.
     pub messages: Vec<String>,
 }
@@ -50,7 +47,6 @@ pub fn trace(body: TokenStream) -> Trace {
     let mut trace = Trace {
         structure: middle.structure,
         passes: middle.passes,
-        emit: call.emitted(&quote!(::linkage), &|name, _| format!("{name} as a text")),
         messages,
         ..Trace::default()
     };

@@ -45,7 +45,7 @@ impl Function {
     }
 
     /// A sentence for the docs, a space in front, if there are derivatives by parameters.
-    pub(crate) fn direction_note(&self) -> String {
+    pub fn direction_note(&self) -> String {
         self.sensitivities.map_or_else(String::new, |direction| {
             format!(" Derivatives by parameters are computed {direction}.")
         })

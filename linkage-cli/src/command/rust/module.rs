@@ -14,7 +14,7 @@ pub(super) fn printed(source: &Source, features: &[&str]) -> Result<String, Fail
     let mut items = TokenStream::new();
     for call in source.calls() {
         let tokens = &call.tokens;
-        items.extend(linkage_compiler::compile(
+        items.extend(linkage_rust::compile(
             quote!([::linkage] #tokens),
             description,
         ));

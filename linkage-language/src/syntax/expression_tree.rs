@@ -1,0 +1,56 @@
+//! The syntax tree of expressions.
+
+use proc_macro2::Ident;
+
+use crate::diagnostic::SourceSpan;
+
+#[derive(Clone, Debug)]
+pub struct Expr {
+    pub kind: ExprKind,
+    pub span: SourceSpan,
+}
+
+#[derive(Clone, Debug)]
+pub enum ExprKind {
+    /// A number and its unit suffix (empty: none), both as written; `text` has no underscores.
+    Number {
+        text: String,
+        suffix: String,
+    },
+    Name(Ident),
+    /// `(a, b)` or `(a, b, c)`; any other count is kept too, for `resolve` to refuse.
+    Tuple(Vec<Expr>),
+    /// `v.x`
+    Field(Box<Expr>, Ident),
+    /// `v[0]`
+    Index(Box<Expr>, Box<Expr>),
+    Negate(Box<Expr>),
+    Binary(BinaryOp, Box<Expr>, Box<Expr>),
+    /// `mm^2`: a power, of units only.
+    Power(Box<Expr>, i32),
+    /// `name(args)`, also `d(...)`, `sensitivity(q, [..])`, `margin()`.
+    Call(Ident, Vec<Expr>),
+    /// `[a, b]`, only meaningful as second argument of `sensitivity`.
+    List(Vec<Expr>),
+    /// The replacement of a syntax error. It has been reported, so later phases do not report it
+    /// again.
+    Error,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum BinaryOp {
+    Add,
+    Sub,
+    Mul,
+    Div,
+}
+
+impl Expr {
+    /// Returns the expression that replaces a mistake.
+    pub fn error(span: SourceSpan) -> Self {
+        Expr {
+            kind: ExprKind::Error,
+            span,
+        }
+    }
+}

@@ -1,0 +1,55 @@
+//! Words of the language as enums: an enum lists the words, and a `match` over it defines their
+//! meaning.
+
+/// A word of some kind.
+pub trait Word: Copy + 'static {
+    /// All of them, in the order in which messages list them.
+    fn all() -> impl Iterator<Item = Self>;
+
+    /// Returns the word as it is written.
+    fn word(self) -> &'static str;
+
+    /// Returns the meaning of a written word.
+    fn from_word(word: &str) -> Option<Self> {
+        Self::all().find(|candidate| candidate.word() == word)
+    }
+}
+
+/// An enum of words, or of several such enums together, which is a [`Word`].
+///
+/// Code that handles every word matches all variants without `_`, so a new word does not compile
+/// before all places handle it.
+macro_rules! vocabulary {
+    ($(#[$meta:meta])* $vis:vis enum $name:ident { $($(#[$doc:meta])* $variant:ident = $word:literal,)+ }) => {
+        $(#[$meta])*
+        #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+        $vis enum $name { $($(#[$doc])* $variant,)+ }
+
+        impl $crate::syntax::Word for $name {
+            fn all() -> impl Iterator<Item = Self> {
+                [$(Self::$variant),+].into_iter()
+            }
+
+            fn word(self) -> &'static str {
+                match self { $(Self::$variant => $word,)+ }
+            }
+        }
+    };
+    ($(#[$meta:meta])* $vis:vis enum $name:ident { $($(#[$doc:meta])* $variant:ident($part:ty),)+ }) => {
+        $(#[$meta])*
+        #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+        $vis enum $name { $($(#[$doc])* $variant($part),)+ }
+
+        impl $crate::syntax::Word for $name {
+            fn all() -> impl Iterator<Item = Self> {
+                std::iter::empty()$(.chain(<$part as $crate::syntax::Word>::all().map(Self::$variant)))+
+            }
+
+            fn word(self) -> &'static str {
+                match self { $(Self::$variant(inner) => inner.word(),)+ }
+            }
+        }
+    };
+}
+
+pub(crate) use vocabulary;

@@ -1,0 +1,84 @@
+//! The description of a coupled group that the runtime needs to prepare it.
+
+use linkage_core::numeric::continuation::Terms;
+use linkage_core::numeric::roots::Variable;
+use proc_macro2::{Literal, TokenStream};
+use quote::quote;
+
+use crate::literal;
+use crate::outline::Outline;
+use linkage_compiler::ir::{CompiledMechanism, Coupled, ShownNumber};
+
+/// The runtime's description of a group.
+pub(super) fn description(
+    outline: &Outline,
+    unit: &CompiledMechanism,
+    group: &Coupled,
+) -> TokenStream {
+    let runtime = &outline.runtime;
+    let title = outline.title();
+    let solved = &unit.groups[group.group];
+    let index = literal::index(group.group);
+    let kind = &solved.kind;
+    let loops = solved.loops.iter().map(|n| literal::index(*n));
+    let names = &solved.unknowns;
+    let unknowns = group.unknowns.iter().map(|placed| {
+        let ShownNumber { name, unit, scale } = unit.shown(placed);
+        let estimate = literal::float(placed.estimate);
+        let scale = literal::float(scale);
+        let angle = placed.angle;
+        quote! {
+            #runtime::CoupledUnknown { name: #name, estimate: #estimate, scale: #scale, unit: #unit, angle: #angle }
+        }
+    });
+    let variables = group.variables.iter().map(|variable| match variable {
+        Variable::Unit => quote!(#runtime::Variable::Unit),
+        Variable::Length => quote!(#runtime::Variable::Length),
+        Variable::Number => quote!(#runtime::Variable::Number),
+        Variable::Point => quote!(#runtime::Variable::Point),
+        Variable::Conjugate => quote!(#runtime::Variable::Conjugate),
+    });
+    let terms = group.terms.iter().map(|(equation, exponents)| {
+        let equation = literal::index(*equation);
+        let exponents = exponents.iter().map(|&e| Literal::i8_unsuffixed(e));
+        quote!(#runtime::Term { equation: #equation, exponents: &[#(#exponents),*] })
+    });
+    let missed = group.missed_loops.iter().map(|missed| {
+        let [number, rows] = [missed.number, missed.rows].map(literal::index);
+        let (unit, scale) = (&missed.unit, literal::float(missed.scale));
+        quote!(#runtime::CoupledLoop { number: #number, rows: #rows, unit: #unit, scale: #scale })
+    });
+    let inputs = group.inputs.iter().map(|&input| {
+        let described = &unit.inputs[input];
+        let (name, unit, angle) = (&described.name, &described.unit, described.angle);
+        let index = literal::index(input);
+        let (low, high) = described.followed;
+        let (low, high) = (literal::float(low), literal::float(high));
+        let declared = described.range.is_some();
+        quote! {
+            #runtime::CoupledInput {
+                name: #name, unit: #unit, index: #index, declared: #declared,
+                range: #runtime::Range { low: #low, high: #high, turn: #angle },
+            }
+        }
+    });
+    let in_cells = match group.in_cells {
+        Terms::Slopes => quote!(Slopes),
+        Terms::Polynomials => quote!(Polynomials),
+    };
+    quote! {
+        #runtime::CoupledGroup {
+            mechanism: #title,
+            group: #index,
+            kind: #kind,
+            loops: &[#(#loops),*],
+            names: &[#(#names),*],
+            unknowns: &[#(#unknowns),*],
+            variables: &[#(#variables),*],
+            terms: &[#(#terms),*],
+            missed: &[#(#missed),*],
+            inputs: &[#(#inputs),*],
+            in_cells: #runtime::Terms::#in_cells,
+        }
+    }
+}

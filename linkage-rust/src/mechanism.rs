@@ -1,0 +1,248 @@
+//! The struct of dimensions: fields, default, conversion, constants.
+
+use std::collections::BTreeSet;
+
+use proc_macro2::{Ident, Span, TokenStream};
+use quote::{format_ident, quote};
+
+use super::docs::{doc, documented, tokens, with_note};
+use super::outline::{Component, Outline, Parameter, plain};
+use super::{attribute, literal};
+use linkage_compiler::ir::in_degrees;
+
+/// The default of the struct and its conversions.
+pub(super) fn items(outline: &Outline) -> TokenStream {
+    let mut items = default(outline);
+    items.extend(conversions(outline));
+    items
+}
+
+/// The struct.
+pub(super) fn structure(outline: &Outline) -> TokenStream {
+    let Outline {
+        visibility,
+        name,
+        attributes,
+        ..
+    } = outline;
+    let derives = attribute::derives(*attributes, &[]);
+    let head = with_note(
+        &tokens(attributes),
+        documented(attributes),
+        "",
+        &format!("Dimensions of the mechanism `{}`.", outline.title()),
+    );
+    let scalar = quote!(T);
+    let fields = outline.parameters.iter().map(|parameter| {
+        let name = &parameter.name;
+        let ty = outline.field_type(&parameter.shape, &scalar);
+        let [note, alone] = parameter_notes(outline, parameter);
+        let head = with_note(
+            &tokens(&parameter.attributes),
+            documented(&parameter.attributes),
+            &note,
+            &alone,
+        );
+        quote!(#head pub #name: #ty,)
+    });
+    let marker = outline.parameters.is_empty().then(marker_field);
+    let allow = attribute::allow();
+    quote! {
+        #head
+        #allow
+        #derives
+        #visibility struct #name<T = ::core::primitive::f64> { #(#fields)* #marker }
+    }
+}
+
+/// Carries the scalar type where a struct has no field.
+pub(super) fn marker_field() -> TokenStream {
+    quote!(#[doc(hidden)] pub __scalar: ::core::marker::PhantomData<T>,)
+}
+
+pub(super) fn marker_value() -> TokenStream {
+    quote!(__scalar: ::core::marker::PhantomData,)
+}
+
+/// The docs of a parameter after those of the user, `In mm; default 50, tolerance 0.012.`, and
+/// those without any, `` `crank`, in mm; default 50, tolerance 0.012. ``; angles are given in
+/// degrees.
+fn parameter_notes(outline: &Outline, parameter: &Parameter) -> [String; 2] {
+    let name = plain(&parameter.name);
+    if !outline.complete {
+        return [String::new(), format!("`{name}`.")];
+    }
+    let list = |number: fn(&Component) -> f64| {
+        let components = parameter.components.iter();
+        let words = components.map(|c| in_degrees(number(c), &c.unit));
+        let words = words.collect::<Vec<_>>().join(", ");
+        if parameter.components.len() == 1 {
+            words
+        } else {
+            format!("({words})")
+        }
+    };
+    let mut values = format!("default {}", list(|c| c.nominal));
+    if parameter.components.iter().any(|c| c.tolerance != 0.0) {
+        values.push_str(&format!(", tolerance {}", list(|c| c.tolerance)));
+    }
+    match parameter.components.first().map_or("", |c| c.unit.as_str()) {
+        "" => [
+            format!("A number; {values}."),
+            format!("`{name}`; {values}."),
+        ],
+        unit => [
+            format!("In {unit}; {values}."),
+            format!("`{name}`, in {unit}; {values}."),
+        ],
+    }
+}
+
+fn default(outline: &Outline) -> TokenStream {
+    let name = outline.name;
+    let fields = outline.parameters.iter().map(|parameter| {
+        let name = &parameter.name;
+        let mut numbers = parameter
+            .components
+            .iter()
+            .map(|c| literal::float(c.nominal));
+        let value = outline.field_value(&parameter.shape, &mut numbers);
+        quote!(#name: #value,)
+    });
+    let marker = outline.parameters.is_empty().then(marker_value);
+    let body = outline.body(quote!(Self { #(#fields)* #marker }));
+    quote! {
+        #[automatically_derived]
+        impl ::core::default::Default for #name<__p::f64> {
+            fn default() -> Self { #body }
+        }
+    }
+}
+
+fn conversions(outline: &Outline) -> TokenStream {
+    let Outline { runtime, name, .. } = outline;
+    // A mechanism may be called as the type parameter usually is.
+    let other = format_ident!("{}", if *name == "U" { "V" } else { "U" });
+    let cast = convert(
+        outline,
+        &|field| quote!(<#other as #runtime::Scalar>::from_f64(self.#field)),
+    );
+    let lane = convert(outline, &|field| quote!(T::lane(self.#field, __lane)));
+    let mut scalars = (0..outline.scalar_fields().len()).map(|index| {
+        let index = literal::index(index);
+        quote!(__row.number(#index))
+    });
+    let of_row = outline.body(from_scalars(outline, &mut scalars));
+    quote! {
+        impl #name<__p::f64> {
+            /// The same dimensions in another scalar type: single precision, lanes, dual numbers.
+            #[must_use]
+            pub fn cast<#other: #runtime::Scalar>(&self) -> #name<#other> { #cast }
+        }
+        impl<T: #runtime::Scalar> #name<T> {
+            /// The dimensions of one lane.
+            fn __lane(&self, __lane: __p::usize) -> #name<__p::f64> { #lane }
+        }
+        // For sweeps over mechanisms.
+        #runtime::if_alloc! {
+            impl<T: #runtime::Scalar> #name<T> {
+                /// The dimensions, which are the first numbers of a row.
+                #[inline(always)]
+                fn __of_row(__row: &impl #runtime::RowNumbers<T>) -> Self { #of_row }
+            }
+        }
+    }
+}
+
+/// The struct again with each scalar `field` converted.
+fn convert(outline: &Outline, scalar: &dyn Fn(&TokenStream) -> TokenStream) -> TokenStream {
+    let scalars: Vec<_> = outline.scalar_fields().iter().map(scalar).collect();
+    outline.body(from_scalars(outline, &mut scalars.into_iter()))
+}
+
+/// The struct of the given scalars, in order.
+pub(super) fn from_scalars(
+    outline: &Outline,
+    scalars: &mut dyn Iterator<Item = TokenStream>,
+) -> TokenStream {
+    let name = outline.name;
+    let fields = outline.parameters.iter().map(|parameter| {
+        let name = &parameter.name;
+        let value = outline.field_value(&parameter.shape, scalars);
+        quote!(#name: #value,)
+    });
+    let fields: Vec<_> = fields.collect();
+    let marker = outline.parameters.is_empty().then(marker_value);
+    quote!(#name { #(#fields)* #marker })
+}
+
+/// `INPUTS`, `PARAMETERS`, `STRUCTURE` and the named indices.
+pub(super) fn constants(outline: &Outline, structure: &TokenStream) -> TokenStream {
+    let Outline { runtime, name, .. } = outline;
+    let components = outline.parameters.iter().flat_map(|p| &p.components);
+    let rows = components.map(|component| {
+        let (name, unit) = (&component.name, &component.unit);
+        let nominal = literal::float(component.nominal);
+        let tolerance = literal::float(component.tolerance);
+        quote!(#runtime::parameter(#name, #unit, #nominal, #tolerance))
+    });
+    let indices = index_names(outline)
+        .into_iter()
+        .enumerate()
+        .map(|(index, (constant, name))| {
+            let constant = Ident::new(&constant, Span::call_site());
+            let doc = doc(&format!(
+                "Index of `{name}` in `PARAMETERS` and in the arrays of `sensitivity`."
+            ));
+            let index = literal::index(index);
+            quote!(#doc pub const #constant: __p::usize = #index;)
+        });
+    let inputs = outline.inputs.iter().map(|input| {
+        let (name, unit) = (plain(input.name), &input.unit);
+        let reference = literal::float(input.reference);
+        let range = match input.range {
+            Some((low, high)) => {
+                let (low, high) = (literal::float(low), literal::float(high));
+                quote!(__p::Some((#low, #high)))
+            }
+            None => quote!(__p::None),
+        };
+        quote!(#runtime::Input { name: #name, unit: #unit, reference: #reference, range: #range })
+    });
+    quote! {
+        impl #name<__p::f64> {
+            /// The inputs in declaration order, with their reference positions and ranges.
+            pub const INPUTS: &'static [#runtime::Input] = &[#(#inputs),*];
+            /// The scalar parameters in declaration order, with the defaults and tolerances of the declaration, in
+            /// the units of the fields.
+            pub const PARAMETERS: &'static [#runtime::Parameter] = &[#(#rows),*];
+            /// The groups in the order in which they are solved, their methods, and operation counts.
+            pub const STRUCTURE: &'static #runtime::Structure = &#structure;
+            #(#indices)*
+        }
+    }
+}
+
+/// Names of the index constants with the parameters that they stand for. `INDEX_PIVOT_D_X` for
+/// `pivot_d.x`; where two parameters would share a name (`a` and `A`), the later one keeps its
+/// spelling.
+fn index_names(outline: &Outline) -> Vec<(String, String)> {
+    let mut taken = BTreeSet::new();
+    let components = outline.parameters.iter().flat_map(|p| &p.components);
+    components
+        .enumerate()
+        .map(|(index, component)| {
+            let joined = component.name.replace('.', "_");
+            let candidates = [
+                format!("INDEX_{}", joined.to_uppercase()),
+                format!("INDEX_{joined}"),
+                format!("INDEX_{}", component.name.replace('.', "__")),
+                format!("INDEX_{joined}_{index}"),
+            ];
+            let free = candidates.iter().find(|name| !taken.contains(*name));
+            let name = free.unwrap_or(&candidates[3]).clone();
+            taken.insert(name.clone());
+            (name, component.name.clone())
+        })
+        .collect()
+}

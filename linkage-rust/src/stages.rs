@@ -1,0 +1,176 @@
+//! The program of a function as its stages, which calls and sweeps run.
+
+use linkage_symbolic::passes::stages::{Stage, memory};
+use linkage_symbolic::program::Value;
+use proc_macro2::{Ident, TokenStream};
+use quote::{ToTokens, format_ident, quote};
+
+use super::array_fields::entry;
+use super::body::{self, Runs};
+use super::load::{CARRIED, INPUT, Places, loader_by};
+use super::outline::{Function, Outline};
+use super::{attribute, literal};
+use linkage_compiler::ir::Body;
+
+/// The programs that a function can have.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(super) enum Version {
+    /// The one of calls.
+    Called,
+    /// The one for dimensions, derivatives or digits that tables do not know.
+    Beside,
+    /// The one at the position of a follower, whose states are solutions.
+    Settled,
+}
+
+impl Version {
+    /// The one for dimensions, derivatives and digits that tables do not know.
+    pub(super) fn refining(function: &Function) -> Self {
+        match function.beside {
+            true => Self::Beside,
+            false => Self::Called,
+        }
+    }
+
+    /// The part that the version has in names of items.
+    pub(super) fn word(self) -> &'static str {
+        match self {
+            Self::Called => "",
+            Self::Beside => "_beside",
+            Self::Settled => "_settled",
+        }
+    }
+}
+
+/// The type that stands for a program of a function.
+pub(super) fn name(outline: &Outline, function: &Function, version: Version) -> Ident {
+    let (name, word) = (function.name, version.word());
+    format_ident!("__{}_{name}{word}_stages", outline.name)
+}
+
+/// The runtime's `Staged` of a program, and each of its stages.
+pub(super) fn items(
+    outline: &Outline,
+    function: &Function,
+    body: &Body,
+    version: Version,
+) -> TokenStream {
+    let Outline {
+        runtime,
+        visibility,
+        core,
+        ..
+    } = outline;
+    let runs = match body.compares_sines {
+        true => Runs::InRows,
+        false => Runs::InRowsOrAlone,
+    };
+    let staged = Staged {
+        outline,
+        function,
+        name: name(outline, function, version),
+        runs,
+    };
+    let name = &staged.name;
+    let everywhere = &attribute::split(function.attributes).everywhere;
+    let [count, width, memory] = [
+        Places::of_function(outline, function).width(),
+        function.width(),
+        memory(&body.stages),
+    ]
+    .map(literal::index);
+    let numbers = (0..body.stages.len()).map(literal::index);
+    let stages = body.stages.iter().enumerate();
+    let stages = stages.map(|(number, stage)| staged.stage(number, stage));
+    quote! {
+        #(#everywhere)*
+        #[doc(hidden)]
+        #visibility struct #name;
+
+        #(#everywhere)*
+        impl<T: #runtime::Scalar> #runtime::Staged<T, #core<T>, #count, #width> for #name {
+            const WIDE: __p::bool = !::core::cfg!(debug_assertions);
+            type Memory<const __BLOCK: __p::usize> = #runtime::Block<T, __BLOCK, #memory>;
+
+            #[inline(always)]
+            fn run(__stages: &mut impl #runtime::RunStages<T, #core<T>, Self>) {
+                #(__stages.stage::<#numbers>();)*
+            }
+        }
+        #(#stages)*
+    }
+}
+
+/// A program whose stages are printed.
+struct Staged<'a> {
+    outline: &'a Outline<'a>,
+    function: &'a Function<'a>,
+    name: Ident,
+    runs: Runs,
+}
+
+impl Staged<'_> {
+    /// From the arguments that the stage reads and the values that earlier stages keep to the
+    /// values that it keeps for later stages, and results.
+    fn stage(&self, number: usize, stage: &Stage) -> TokenStream {
+        let Self {
+            outline,
+            function,
+            name,
+            runs,
+        } = self;
+        let Outline { runtime, core, .. } = outline;
+        let Stage {
+            program,
+            taken,
+            kept,
+            results,
+        } = stage;
+        let everywhere = &attribute::split(function.attributes).everywhere;
+        let places = Places::of_function(outline, function);
+        let input = |index| entry(INPUT, index).into_token_stream();
+        let load = loader_by(outline, &places, input);
+        let statements = body::statements(program, *runs, &load);
+        let read = places.read(program).into_iter().map(|index| {
+            let (name, index) = (entry(INPUT, index), literal::index(index));
+            quote!(let #name = __row.number(#index);)
+        });
+        let take = taken.iter().enumerate().map(|(value, &index)| {
+            let (name, index) = (entry(CARRIED, value), literal::index(index));
+            quote!(let #name = __row.kept(#index);)
+        });
+        let (next, finished) = program.outputs.split_at(kept.len());
+        let put = |method: &str, values: &[Value], indices: &[usize]| -> TokenStream {
+            let method = format_ident!("{method}");
+            let puts = values.iter().zip(indices).map(|(&value, &index)| {
+                let (value, index) = (body::name(value), literal::index(index));
+                quote!(__row.#method(#index, #value);)
+            });
+            puts.collect()
+        };
+        let keep = put("keep", next, kept);
+        let finish = put("finish", finished, results);
+        let written = results.iter().map(|&result| literal::index(result));
+        let number = literal::index(number);
+        quote! {
+            #(#everywhere)*
+            impl<T: #runtime::Scalar> #runtime::Stage<T, #core<T>, #number> for #name {
+                #[inline(always)]
+                fn row<const __FUSED: __p::bool, const __ROWS: __p::bool>(
+                    __core: &#core<T>,
+                    __row: &mut impl #runtime::StageRow<T>,
+                ) {
+                    let #core { __mechanism: __m, __modes, __prepared, .. } = __core;
+                    #(#read)*
+                    #(#take)*
+                    #statements
+                    #keep
+                    #finish
+                }
+
+                #[inline(always)]
+                fn write(__rows: &mut impl #runtime::FinishedRows) { #(__rows.write(#written);)* }
+            }
+        }
+    }
+}
