@@ -158,10 +158,11 @@ fn quoted(cell: &str) -> impl Iterator<Item = String> {
 }
 
 /// Other crates than the compiler: their sources begin with the name of the crate.
-const OTHER_CRATES: [&str; 6] = [
+const OTHER_CRATES: [&str; 7] = [
     "linkage-symbolic",
     "linkage-core",
     "linkage-c",
+    "linkage-engine",
     "linkage-export",
     "linkage-js",
     "linkage-st",

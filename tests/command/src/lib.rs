@@ -17,7 +17,7 @@ pub struct Subject {
     /// The rows of a sweep of an assembly with these dimensions; `None` for a function without sweeps.
     pub swept: fn(&[f64], usize, &[&[f64]]) -> Rows,
     /// The same for many mechanisms.
-    pub swept_sets: fn(&[f64], usize, &[Vec<f64>], &[&[f64]]) -> Rows,
+    pub swept_sets: SweptSets,
     /// The modes of all assemblies at the reference.
     pub listed: fn() -> Vec<Vec<AssemblyMode>>,
     /// Its circuits, printed.
@@ -28,6 +28,9 @@ pub struct Subject {
 
 /// The functions of an assembled mechanism, or the message of the error.
 pub type Assembled = Result<Box<Call>, String>;
+
+/// The rows of a function for many mechanisms, given dimensions of an assembly, the number of the function, dimensions and arguments.
+pub type SweptSets = fn(&[f64], usize, &[Vec<f64>], &[&[f64]]) -> Rows;
 
 /// The results of a function at many positions.
 pub type Rows = Option<Vec<Vec<f64>>>;
