@@ -9,7 +9,7 @@ use std::thread;
 use crate::lexer::{Lexed, lexed};
 
 /// Crates by their folders; the facade has its sources in `src`.
-pub(crate) const CRATES: [&str; 17] = [
+pub(crate) const CRATES: [&str; 19] = [
     "linkage-analysis",
     "linkage-c",
     "linkage-cli",
@@ -20,8 +20,10 @@ pub(crate) const CRATES: [&str; 17] = [
     "linkage-engine",
     "linkage-export",
     "linkage-js",
+    "linkage-language",
     "linkage-macros",
     "linkage-report",
+    "linkage-rust",
     "linkage-runtime",
     "linkage-st",
     "linkage-symbolic",

@@ -21,5 +21,5 @@ use proc_macro2::TokenStream;
 
 /// What the macro makes of a mechanism, but for its programs in other languages.
 fn compiled(tokens: TokenStream) -> TokenStream {
-    linkage_compiler::compile(tokens, |_, _| String::new())
+    linkage_rust::compile(tokens, |_, _| String::new())
 }

@@ -100,7 +100,7 @@ fn generated_code_names_what_is_there() {
 #[test]
 fn nothing_is_there_that_no_generated_code_names() {
     let mut all = Vec::new();
-    files(&repository().join("linkage-compiler/src"), &mut all);
+    files(&repository().join("linkage-rust/src"), &mut all);
     let mut named = BTreeSet::new();
     for path in all
         .iter()
