@@ -21,7 +21,7 @@ fn load(kind: &str, given: Given, page: &mut Page) -> Mechanism {
     );
     fs::write(&file, html).expect("a file");
     page.load(&file);
-    page.wait(&format!("mechanism.name() === '{name}'"));
+    page.wait(&format!("mechanism.name === '{name}'"));
     let checked = Checked {
         name: Some(name),
         unit: Some(unit),
