@@ -1,13 +1,14 @@
-//! The compiler of `linkage::mechanism!`: tokens in, tokens out.
+//! The compiler of `linkage::mechanism!`: from mechanisms to programs.
 //!
-//! The phases, each in a separate folder: `syntax` parses, `model` resolves names and checks
-//! dimensions, `structure` finds the Assur groups, `solve` expresses every unknown, `lower` makes
-//! programs of expressions, `assembly` runs them to check assembly and range, `outputs` puts the
-//! programs of all functions into one [`mod@ir`], `emit` prints that. `algebra` is shared by the
-//! middle phases; `forces` and `picture` make expressions of the quantities that functions ask for.
+//! `linkage-language` parses a text, resolves names and checks dimensions. The phases here, each in
+//! a separate folder, go on: `structure` finds the Assur groups, `solve` expresses every unknown,
+//! `lower` makes programs of expressions, `assembly` runs them to check assembly and range,
+//! `outputs` puts the programs of all functions into one [`mod@ir`], which printers print:
+//! `linkage-rust` for the macro. `algebra` is shared by the phases; `forces` and `picture` make
+//! expressions of the quantities that functions ask for.
 //!
-//! [`compile`] is the macro. Without Rust at the end, [`check`] gives a mechanism's programs, or
-//! messages with their places; [`check_all`] gives those of all mechanisms of a text:
+//! [`check`] gives a mechanism's programs, or messages with their places; [`check_all`] gives those
+//! of all mechanisms of a text:
 //!
 //! ```
 //! use linkage_compiler::check;
