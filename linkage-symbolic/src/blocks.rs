@@ -49,82 +49,57 @@ impl BlockProgram {
     #[must_use]
     pub fn new(program: &Program, varies: impl Fn(Source) -> bool) -> Self {
         let varying = varying(program, varies);
-        let last_uses = last_uses(program);
-        let mut placed = Self::default();
-        let mut blocks: Vec<usize> = Vec::with_capacity(program.instructions.len());
-        let mut free: Vec<usize> = Vec::new();
-        // Only blocks of values that vary are used again.
-        for constant in [true, false] {
-            blocks.resize(program.instructions.len(), usize::MAX);
-            for (index, instruction) in program.instructions.iter().enumerate() {
-                if varying[index] == constant || matches!(instruction, Instruction::Second(_)) {
-                    continue;
-                }
-                let mut block = || {
-                    free.pop().unwrap_or_else(|| {
-                        placed.blocks += 1;
-                        placed.blocks - 1
-                    })
-                };
-                let result = block();
-                blocks[index] = result;
-                let second = match instruction {
-                    Instruction::SinCos(_) => block(),
-                    _ => result,
-                };
-                let has_second = matches!(
-                    program.instructions.get(index + 1),
-                    Some(Instruction::Second(_))
-                );
-                if has_second {
-                    blocks[index + 1] = second;
-                }
-                let step = Step {
-                    instruction: instruction.with_operands(|value| Value(blocks[value.0])),
-                    result,
-                    second,
-                };
-                match constant {
-                    true => placed.once.push(step),
-                    false => placed.each.push(step),
-                }
-                if constant {
-                    continue;
-                }
-                // The blocks of values that nothing else needs.
-                let mut ended: Vec<usize> = instruction.operands().map(|value| value.0).collect();
-                ended.push(index);
-                if has_second {
-                    ended.push(index + 1);
-                } else if second != result {
-                    free.push(second);
-                }
-                ended.sort_unstable();
-                ended.dedup();
-                let ended = ended
-                    .into_iter()
-                    .filter(|&value| varying[value] && last_uses[value] <= index.max(value));
-                free.extend(ended.map(|value| blocks[value]));
+        let mut places = Places::new(program);
+        let (mut once, mut each) = (Vec::new(), Vec::new());
+        for (index, &instruction) in program.instructions.iter().enumerate() {
+            // A second result is computed with the first.
+            if matches!(instruction, Instruction::Second(_)) {
+                continue;
+            }
+            let next = program.instructions.get(index + 1);
+            let has_second = matches!(next, Some(Instruction::Second(_)));
+            let instruction = match instruction {
+                Instruction::SinCos(a) if !has_second => Instruction::Unary(Unary::Sin, a),
+                other => other,
+            };
+            let last = index + usize::from(has_second);
+            for result in index..=last {
+                places.take(result, varying[index]);
+            }
+            let step = Step {
+                instruction: instruction.with_operands(|value| Value(places.blocks[value.0])),
+                result: places.blocks[index],
+                second: places.blocks[last],
+            };
+            if !varying[index] {
+                once.push(step);
+                continue;
+            }
+            each.push(step);
+            let operands = instruction.operands().map(|value| value.0);
+            for value in operands.chain(index..=last).filter(|&value| varying[value]) {
+                places.release(value, index);
             }
         }
-        placed.outputs = program
-            .outputs
-            .iter()
-            .map(|output| blocks[output.0])
-            .collect();
-        placed
+        let outputs = program.outputs.iter();
+        Self {
+            once,
+            each,
+            outputs: outputs.map(|output| places.blocks[output.0]).collect(),
+            blocks: places.count,
+        }
     }
 
-    /// Runs it at positions `from..to`, in blocks from `from` on.
+    /// Runs it at all positions.
     #[inline(always)]
-    pub fn run<A: Arithmetic>(&self, from: usize, to: usize, rows: &mut impl Rows<A::Number>) {
+    pub fn run<A: Arithmetic>(&self, positions: usize, rows: &mut impl Rows<A::Number>) {
         let mut numbers = vec![[A::constant(0.0); BLOCK]; self.blocks];
         let mut values: Vec<Option<&mut [A::Number; BLOCK]>> =
             numbers.iter_mut().map(Some).collect();
         for step in &self.once {
             step.run::<A>(&mut values, rows);
         }
-        for start in (from..to).step_by(BLOCK) {
+        for start in (0..positions).step_by(BLOCK) {
             rows.begin(start);
             for step in &self.each {
                 step.run::<A>(&mut values, rows);
@@ -147,22 +122,61 @@ fn varying(program: &Program, varies: impl Fn(Source) -> bool) -> Vec<bool> {
     varying
 }
 
-/// For each value the last instruction that needs it; results are needed to the end.
-fn last_uses(program: &Program) -> Vec<usize> {
-    let mut last = vec![0; program.instructions.len()];
-    for (index, instruction) in program.instructions.iter().enumerate() {
-        // A second result is computed with the first.
-        if matches!(instruction, Instruction::Second(_)) {
-            continue;
+/// The blocks of values.
+struct Places {
+    /// The block of each value that has one.
+    blocks: Vec<usize>,
+    /// For each value the last instruction that needs it, at least the one that computes it; results
+    /// are needed to the end.
+    last_uses: Vec<usize>,
+    /// Blocks whose values nothing needs any more.
+    free: Vec<usize>,
+    /// The number of blocks.
+    count: usize,
+}
+
+impl Places {
+    fn new(program: &Program) -> Self {
+        let count = program.instructions.len();
+        let mut last_uses: Vec<usize> = (0..count).collect();
+        for (index, instruction) in program.instructions.iter().enumerate() {
+            if let Instruction::Second(first) = instruction {
+                last_uses[index] = first.0;
+                continue;
+            }
+            for value in instruction.operands() {
+                last_uses[value.0] = index;
+            }
         }
-        for value in instruction.operands() {
-            last[value.0] = index;
+        for output in &program.outputs {
+            last_uses[output.0] = usize::MAX;
+        }
+        Self {
+            blocks: vec![usize::MAX; count],
+            last_uses,
+            free: Vec::new(),
+            count: 0,
         }
     }
-    for output in &program.outputs {
-        last[output.0] = usize::MAX;
+
+    /// Gives a block to a value. Only values that vary get one that was used before: others keep
+    /// theirs while all blocks of positions run.
+    fn take(&mut self, value: usize, varies: bool) {
+        let used = if varies { self.free.pop() } else { None };
+        self.blocks[value] = used.unwrap_or_else(|| {
+            self.count += 1;
+            self.count - 1
+        });
     }
-    last
+
+    /// Takes the block of a value back that nothing needs after the instruction `index`.
+    fn release(&mut self, value: usize, index: usize) {
+        if self.last_uses[value] <= index {
+            self.free.push(self.blocks[value]);
+            // An operand may stand twice.
+            self.last_uses[value] = usize::MAX;
+        }
+    }
 }
 
 /// A block of values.
@@ -322,7 +336,7 @@ mod tests {
                     start: 0,
                     found: vec![Vec::new(); program.outputs.len()],
                 };
-                placed.run::<OfTable>(0, positions, &mut sample);
+                placed.run::<OfTable>(positions, &mut sample);
                 for position in 0..positions {
                     let expected = run(&program, |source| match source {
                         Source::Input(input) => inputs[input][position],
