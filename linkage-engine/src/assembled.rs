@@ -5,7 +5,6 @@ use linkage_runtime::support::{
     InitialState, Which, close, finite as check_finite, initial_states_of,
 };
 use linkage_runtime::{AssemblyError, AssemblyMode, Estimate, Scalar};
-
 use linkage_symbolic::program::Source;
 
 use crate::coupled::Programs;
@@ -59,7 +58,11 @@ impl Assembly<'_> {
         body: &Body,
         arguments: &[f64],
     ) -> Vec<f64> {
-        let inputs = all_inputs(self.mechanism, function, arguments, f64::NAN);
+        let compiled = &self.mechanism.compiled;
+        let mut inputs = vec![f64::NAN; compiled.inputs.len() + compiled.arguments.len()];
+        for (&index, x) in function.arguments.iter().zip(arguments) {
+            inputs[index] = *x;
+        }
         let states = self.states(&inputs);
         match body.is_worth_a_call() {
             true => {
@@ -187,22 +190,7 @@ impl Assembly<'_> {
     }
 }
 
-/// All inputs and arguments, given those of a function; `other` for those that it does not
-/// take.
-pub(crate) fn all_inputs(
-    mechanism: &Mechanism,
-    function: &Function,
-    arguments: &[f64],
-    other: f64,
-) -> Vec<f64> {
-    let count = mechanism.compiled.inputs.len() + mechanism.compiled.arguments.len();
-    let mut inputs = vec![other; count];
-    for (&index, x) in function.arguments.iter().zip(arguments) {
-        inputs[index] = *x;
-    }
-    inputs
-}
-
+/// The assembly in these modes that the start estimates choose.
 pub(crate) fn assembled<'m>(
     mechanism: &'m Mechanism,
     dimensions: &[f64],

@@ -13,11 +13,11 @@ use linkage_symbolic::Binding;
 use linkage_symbolic::blocks::{BLOCK, BlockProgram};
 use linkage_symbolic::program::{Instruction, Program, Source};
 
-use crate::assembled::{Assembly, all_inputs};
+use crate::assembled::Assembly;
 use crate::columns::{Columns, rows, split};
 use crate::mechanism::Mechanism;
 use crate::other_dimensions::followed_at;
-use slices::{Blocks, Loads};
+use slices::{Blocks, Loads, number};
 
 /// Mechanisms that are prepared at once.
 const PREPARED: usize = 16 * BLOCK;
@@ -65,6 +65,30 @@ impl Assembly<'_> {
         columns: &mut Columns,
     ) {
         self.fill(function, arguments, cores(), columns);
+    }
+
+    /// Computes the same by a [`call`](Self::call) for each position: the columns have the bits of
+    /// single calls.
+    ///
+    /// # Panics
+    ///
+    /// As [`sweep`](Self::sweep).
+    #[must_use]
+    pub fn calls(&self, function: usize, arguments: &[&[f64]]) -> Columns {
+        let heading = self.mechanism().headings()[function];
+        let positions = positions(heading.function, heading.arguments, arguments);
+        let mut columns = Columns::default();
+        columns.fill(heading, positions, 1, |from, mut columns| {
+            for row in 0..rows(&columns) {
+                let slices = arguments.iter();
+                let given: Vec<f64> = slices.map(|slice| number(slice, from + row)).collect();
+                let numbers = self.call(function, &given);
+                for (column, number) in columns.iter_mut().zip(numbers) {
+                    column[row] = number;
+                }
+            }
+        });
+        columns
     }
 
     /// Computes a function for many mechanisms, each at inputs of its own. Each scalar parameter is
@@ -196,9 +220,14 @@ impl Assembly<'_> {
                 continue;
             }
             let (dimensions, arguments) = loads.row(row);
-            let at = all_inputs(mechanism, function, &arguments, 0.0);
-            let at = &at[..mechanism.inputs.len()];
-            if let Some(found) = followed_at(mechanism, &dimensions, self, at) {
+            let mut at = mechanism.reference();
+            for (&index, x) in function.arguments.iter().zip(&arguments) {
+                // Others are no inputs.
+                if let Some(input) = at.get_mut(index) {
+                    *input = *x;
+                }
+            }
+            if let Some(found) = followed_at(mechanism, &dimensions, self, &at) {
                 let numbers = found.call_body(function, body, &arguments);
                 for (column, number) in columns.iter_mut().zip(numbers) {
                     column[row] = number;
@@ -303,6 +332,6 @@ impl<const ALONE: bool> Dispatch<f64, (), 0> for Rounded<'_, '_, ALONE> {
         let mut columns = columns.borrow_mut();
         let rows = rows(&columns);
         let mut blocks = Blocks::<FUSED>::new(loads, &mut columns);
-        program.run::<Generated<f64, FUSED, ALONE, true>>(0, rows, &mut blocks);
+        program.run::<Generated<f64, FUSED, ALONE, true>>(rows, &mut blocks);
     }
 }

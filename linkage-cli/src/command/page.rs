@@ -9,6 +9,7 @@ use std::time::{Duration, SystemTime, UNIX_EPOCH};
 
 use clap::{Args, value_parser};
 use linkage_compiler::shortened;
+use linkage_engine::Mechanism;
 use linkage_js::description;
 use linkage_report::{Index, Report, ReportError};
 use linkage_runtime::Programs;
@@ -17,11 +18,10 @@ use super::choose::Chosen;
 use super::output::print;
 use super::range;
 use super::replaced::refuse_page;
-use super::sweep::{Rows, arguments, positions, still};
+use super::sweep::{arguments, positions, still};
 use super::values::{Dimensions, parts};
 use crate::failure::{Failure, known_names};
 use crate::normal::normal;
-use linkage_engine::Mechanism;
 
 /// Options of the command.
 #[derive(Debug, Args)]
@@ -182,15 +182,9 @@ fn report(options: &Options, mechanism: &Mechanism) -> Result<Report, Failure> {
         let why = match (again, argument_index, arguments_given.complete()) {
             (false, Some(argument_index), Ok(arguments_given)) => {
                 drawn |= heading.picture.is_some();
-                let rows = Rows::new(
-                    mechanism,
-                    &assembly,
-                    function,
-                    &arguments_given,
-                    argument_index,
-                    &positions,
-                );
-                report = report.table(&rows);
+                let mut slices: Vec<&[f64]> = arguments_given.chunks(1).collect();
+                slices[argument_index] = &positions;
+                report = report.table(&assembly.calls(function, &slices));
                 let beside = heading.arguments.iter().zip(&arguments_given);
                 for (&name, &value) in beside.filter(|(name, _)| **name != input.name) {
                     report = report.argument(name, value);

@@ -1,63 +1,12 @@
 //! Functions over a range of one input.
 
 use linkage_compiler::shortened;
-use linkage_runtime::{Heading, Input, Table};
+use linkage_engine::Mechanism;
+use linkage_runtime::Input;
 
 use super::memory::Held;
 use super::values::{number, parts};
 use crate::failure::{Failure, known_names};
-use linkage_engine::Assembly;
-use linkage_engine::Mechanism;
-
-/// The results of a function over positions, column by column.
-pub(super) struct Rows {
-    heading: &'static Heading,
-    rows: usize,
-    columns: Vec<Vec<f64>>,
-}
-
-impl Table for Rows {
-    fn heading(&self) -> &'static Heading {
-        self.heading
-    }
-
-    fn rows(&self) -> usize {
-        self.rows
-    }
-
-    fn column(&self, index: usize) -> &[f64] {
-        &self.columns[index]
-    }
-}
-
-impl Rows {
-    /// Evaluates a function where the argument at `place` runs through `positions`, the others
-    /// staying as they are.
-    pub(super) fn new(
-        mechanism: &Mechanism,
-        assembly: &Assembly<'_>,
-        function: usize,
-        arguments: &[f64],
-        argument_index: usize,
-        positions: &[f64],
-    ) -> Self {
-        let heading = mechanism.headings()[function];
-        let mut columns = vec![Vec::with_capacity(positions.len()); heading.columns.len()];
-        let mut arguments = arguments.to_vec();
-        for &x in positions {
-            arguments[argument_index] = x;
-            let row = assembly.call(function, &arguments);
-            for (column, number) in columns.iter_mut().zip(row) {
-                column.push(number);
-            }
-        }
-        Self {
-            heading,
-            rows: positions.len(),
-            columns,
-        }
-    }
-}
 
 /// The arguments of a function, as far as they are known.
 pub(super) struct Given {

@@ -4,7 +4,7 @@ use linkage_analysis::balancing::Balance;
 use linkage_report::{Plot, Report};
 
 use crate::Picture;
-use crate::rows::{Rows, between, report};
+use crate::rows::{between, report, rows};
 use crate::sample::Page;
 
 /// Positions over a turn: one for every third degree.
@@ -63,8 +63,8 @@ fn circuits(page: &Page) -> Picture {
         .fold(
             plot.title("Angle psi of the rocker"),
             |plot, (branch, name)| {
-                let rows = Rows::new(&rocking, &branch.assembly, "rocker", &positions, &[]);
-                plot.curve(name, "rad", rows.named("psi"))
+                let rows = rows(&rocking, &branch.assembly, "rocker", &positions, &[]);
+                plot.curve(name, "rad", &rows["psi"])
             },
         );
     Picture {
@@ -84,8 +84,8 @@ fn dwell(page: &Page) -> Picture {
     let input = &press.inputs()[0];
     let end = 12f64.to_radians();
     let positions = between(input, -end, end, POSITIONS);
-    let rows = Rows::new(&press, &assembly, "near", &positions, &[]);
-    let limit = rows.named("slide").iter().copied().fold(f64::MIN, f64::max);
+    let rows = rows(&press, &assembly, "near", &positions, &[]);
+    let limit = rows["slide"].iter().copied().fold(f64::MIN, f64::max);
     let bound = vec![limit - DWELL; positions.len()];
     let report = Report::new("The slide near its limit", input, &positions)
         .dimensions_listed(press.parameters(), assembly.dimensions())
@@ -109,14 +109,13 @@ fn counterweight(page: &Page) -> Picture {
     let mut dimensions = engine.dimensions();
     let shaking = |dimensions: &[f64]| {
         let assembly = engine.assemble(dimensions).expect("it closes");
-        Rows::new(&engine, &assembly, "shaking", &turn, &speed)
+        rows(&engine, &assembly, "shaking", &turn, &speed)
     };
     let before = shaking(&dimensions);
     // The last position is the first one.
     let cycle = 0..POSITIONS - 1;
-    let vector = |name: &str, row: usize| {
-        ["x", "y"].map(|axis| before.named(&format!("{name}.{axis}"))[row])
-    };
+    let vector =
+        |name: &str, row: usize| ["x", "y"].map(|axis| before[&format!("{name}.{axis}")[..]][row]);
     let forces: Vec<[f64; 2]> = cycle.clone().map(|row| vector("f", row)).collect();
     let effects: Vec<[[f64; 2]; 2]> = cycle
         .map(|row| ["by[ahead]", "by[across]"].map(|name| vector(name, row)))
@@ -134,9 +133,9 @@ fn counterweight(page: &Page) -> Picture {
     let plot = Plot::new(input.name, input.unit, &turn)
         .title("Shaking force at 100 rad/s")
         .size(760.0, 260.0)
-        .curve("x, without", "N", before.named("f.x"))
-        .curve("x, with", "N", after.named("f.x"))
-        .curve("y, with", "N", after.named("f.y"));
+        .curve("x, without", "N", &before["f.x"])
+        .curve("x, with", "N", &after["f.x"])
+        .curve("y, with", "N", &after["f.y"]);
     Picture {
         path: "cookbook/shaking.svg",
         svg: plot.svg().expect("a plot"),

@@ -3,7 +3,7 @@
 use linkage_report::{Plot, Report};
 
 use crate::Picture;
-use crate::rows::{Rows, report};
+use crate::rows::{lengths, report, rows};
 use crate::sample::Page;
 
 /// Positions over a turn: one for every third degree.
@@ -39,9 +39,9 @@ pub(crate) fn forces(page: &Page) -> Vec<Picture> {
     let assembly = press.assemble(&press.dimensions()).expect("it closes");
     let input = &press.inputs()[0];
     let turn = input.positions(POSITIONS);
-    let forces = Rows::new(&press, &assembly, "forces", &turn, &AT);
-    let arrows = Rows::new(&press, &assembly, "arrows", &turn, &AT);
-    let shapes = Rows::new(&press, &assembly, "shape", &turn, &[]);
+    let forces = rows(&press, &assembly, "forces", &turn, &AT);
+    let arrows = rows(&press, &assembly, "arrows", &turn, &AT);
+    let shapes = rows(&press, &assembly, "shape", &turn, &[]);
     let report = Report::new("Forces on wheel and piston", input, &turn)
         .table(&shapes)
         .table(&arrows);
@@ -57,9 +57,9 @@ pub(crate) fn forces(page: &Page) -> Vec<Picture> {
     let plot = Plot::new(input.name, input.unit, &turn)
         .title("Torque, and sizes of reactions")
         .size(760.0, 180.0)
-        .curve("t", "N*mm", forces.named("t"));
+        .curve("t", "N*mm", &forces["t"]);
     let plot = ["b", "d", "side"].iter().fold(plot, |plot, name| {
-        plot.curve(name, "N", &forces.lengths(name))
+        plot.curve(name, "N", &lengths(&forces, name))
     });
     Vec::from([
         Picture {

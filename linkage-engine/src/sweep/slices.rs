@@ -67,15 +67,12 @@ impl<'a> Loads<'a> {
 
     /// The dimensions at a position, and the arguments of the function.
     pub(super) fn row(&self, position: usize) -> (Vec<f64>, Vec<f64>) {
-        let number = |slice: &[f64]| match *slice {
-            [only] => only,
-            _ => slice[position],
-        };
         let arguments = self.function.arguments.iter();
         let arguments = arguments.filter_map(|&index| self.inputs[index]);
+        let dimensions = self.dimensions.iter();
         (
-            self.dimensions.iter().map(|slice| number(slice)).collect(),
-            arguments.map(number).collect(),
+            dimensions.map(|slice| number(slice, position)).collect(),
+            arguments.map(|slice| number(slice, position)).collect(),
         )
     }
 
@@ -114,6 +111,14 @@ impl<'a, 'c, const FUSED: bool> Blocks<'a, 'c, FUSED> {
             start: 0,
             states: states.collect(),
         }
+    }
+}
+
+/// The number of a slice at a position.
+pub(super) fn number(slice: &[f64], position: usize) -> f64 {
+    match *slice {
+        [only] => only,
+        _ => slice[position],
     }
 }
 
