@@ -88,7 +88,7 @@ pub use oracle::Oracle;
 /// it returns the last, which may have the others as parts, with the messages of all; [`check_all`]
 /// returns each.
 pub fn check(body: TokenStream) -> Checked {
-    Driver::run(body, &mut ()).last()
+    Driver::analyse(body).last()
 }
 
 /// Analyses all mechanisms of a call, in the order in which they are written; the result has at
@@ -112,7 +112,7 @@ pub fn check(body: TokenStream) -> Checked {
 /// assert_eq!(names, ["left.radius"]);
 /// ```
 pub fn check_all(body: TokenStream) -> Vec<Checked> {
-    Driver::run(body, &mut ()).checked()
+    Driver::analyse(body).checked()
 }
 
 /// Reads a value that is given apart from a mechanism, as on a command line: that of a parameter of

@@ -6,6 +6,7 @@ use std::fmt::Write;
 
 use clap::Args;
 use linkage_compiler::{length_as_written, shortened};
+use linkage_engine::{Assembly, Mechanism};
 use linkage_runtime::Input;
 
 use super::choose::Chosen;
@@ -13,8 +14,6 @@ use super::output::print;
 use super::values::{Dimensions, number, parts};
 use crate::failure::{Failure, known_names};
 use crate::normal::normal;
-use linkage_engine::Assembly;
-use linkage_engine::Mechanism;
 use numbers::numbers;
 
 /// Options of `linkage circuits`.

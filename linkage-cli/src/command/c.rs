@@ -5,6 +5,7 @@ use std::path::PathBuf;
 
 use clap::{Args, ValueEnum};
 use linkage_c::{Real, Sources, all_sources};
+use linkage_engine::Mechanism;
 
 use super::choose::Chosen;
 use super::output::{print, put};
@@ -12,7 +13,6 @@ use super::range;
 use super::replaced::refuse_mechanism;
 use super::values::Dimensions;
 use crate::failure::Failure;
-use linkage_engine::Mechanism;
 
 /// Options of the command.
 #[derive(Debug, Args)]

@@ -5,6 +5,7 @@ use std::path::{Path, PathBuf};
 
 use annotate_snippets::Level;
 use linkage_compiler::check_all;
+use linkage_engine::{Mechanism, Source, rendered};
 use linkage_runtime::Input;
 
 use super::assemblies::{not_listed, placed, shown};
@@ -14,9 +15,6 @@ use super::terminal::is_coloured;
 use super::values::Dimensions;
 use crate::failure::Failure;
 use crate::look_alike::look_alikes;
-use linkage_engine::Mechanism;
-use linkage_engine::Source;
-use linkage_engine::rendered;
 
 /// Checks files. Mistakes go to the standard error, facts about mechanisms without one to the
 /// standard output.

@@ -4,14 +4,12 @@ use std::path::{Path, PathBuf};
 
 use clap::Args;
 use linkage_compiler::{check_all, shortened};
+use linkage_engine::{Mechanism, Source, rendered};
 
 use super::terminal::is_coloured;
 use crate::failure::{Failure, known_names, listed};
 use crate::look_alike::look_alikes;
 use crate::normal::normal;
-use linkage_engine::Mechanism;
-use linkage_engine::Source;
-use linkage_engine::rendered;
 
 /// A file and, where it holds several, one of its mechanisms.
 #[derive(Debug, Args)]
@@ -31,7 +29,7 @@ impl Chosen {
 
     /// All mechanisms that are meant; mistakes in any of the file are reported.
     pub(super) fn all(&self) -> Result<Vec<Mechanism>, Failure> {
-        let mut all = read(&self.file)?;
+        let mut all = checked(&Source::read(&self.file)?)?;
         let Some(name) = &self.mechanism else {
             return Ok(all);
         };
@@ -91,15 +89,14 @@ impl Chosen {
     }
 }
 
-/// All mechanisms of a file.
-fn read(file: &Path) -> Result<Vec<Mechanism>, Failure> {
-    let source = Source::read(file)?;
+/// All mechanisms of a text; messages about them are printed.
+pub(super) fn checked(source: &Source) -> Result<Vec<Mechanism>, Failure> {
     let mut all = Vec::new();
     let mut sound = true;
     for found in source.calls() {
-        eprint!("{}", look_alikes(&source, found, is_coloured()));
+        eprint!("{}", look_alikes(source, found, is_coloured()));
         for checked in check_all(found.tokens.clone()) {
-            eprint!("{}", rendered(&source, found, &checked, is_coloured()));
+            eprint!("{}", rendered(source, found, &checked, is_coloured()));
             match Mechanism::new(&checked) {
                 Some(mechanism) => all.push(mechanism),
                 None => sound = false,

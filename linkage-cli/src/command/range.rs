@@ -2,13 +2,12 @@
 //! kind, with the options under them.
 
 use annotate_snippets::{AnnotationKind, Level, Renderer, Snippet};
+use linkage_engine::{Assembly, Mechanism};
 use linkage_runtime::RangeReport;
 
 use super::terminal::is_coloured;
 use super::values::Dimensions;
 use crate::failure::Failure;
-use linkage_engine::Assembly;
-use linkage_engine::Mechanism;
 
 /// Assembles a mechanism with other dimensions than those of the file, and warns of change points,
 /// dead points and gaps in the range. The compiler has checked the dimensions of the file.

@@ -3,10 +3,10 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 
+use linkage_engine::Source;
 use proc_macro2::{Delimiter, TokenStream, TokenTree};
 
 use crate::failure::Failure;
-use linkage_engine::Source;
 
 /// No mechanism is as long. A longer file is not read before it is replaced.
 const LONGEST: u64 = 1 << 24;

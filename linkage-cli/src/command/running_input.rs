@@ -2,12 +2,12 @@
 //! commands have.
 
 use clap::Args;
+use linkage_engine::Mechanism;
 use linkage_runtime::Input;
 
 use super::sweep::{Positions, all_arguments, positions, running, still};
 use crate::failure::Failure;
 use crate::normal::normal;
-use linkage_engine::Mechanism;
 
 /// Options for the arguments of a function.
 #[derive(Debug, Args)]

@@ -5,13 +5,11 @@ mod module;
 use std::path::PathBuf;
 
 use clap::{Args, ValueEnum};
-use linkage_compiler::check_all;
-use linkage_engine::{Source, rendered};
+use linkage_engine::Source;
 
+use super::choose::checked;
 use super::output::put;
-use super::terminal::is_coloured;
 use crate::failure::Failure;
-use crate::look_alike::look_alikes;
 
 /// Options of the command.
 #[derive(Debug, Args)]
@@ -59,17 +57,7 @@ impl Feature {
 /// Prints the module; nothing of it if a mechanism of the file has a mistake.
 pub(super) fn run(options: &Options) -> Result<(), Failure> {
     let source = Source::read(&options.file)?;
-    let mut sound = true;
-    for call in source.calls() {
-        eprint!("{}", look_alikes(&source, call, is_coloured()));
-        for checked in check_all(call.tokens.clone()) {
-            eprint!("{}", rendered(&source, call, &checked, is_coloured()));
-            sound &= checked.unit.is_some();
-        }
-    }
-    if !sound {
-        return Err(Failure::Silent);
-    }
+    checked(&source)?;
     let features = options.features.iter();
     let features: Vec<&str> = features.filter_map(|feature| feature.word()).collect();
     let text = module::printed(&source, &features)?;

@@ -3,11 +3,11 @@
 use clap::Args;
 use linkage_compiler::ir::COMPONENTS;
 use linkage_compiler::{check_value, shortened};
+use linkage_engine::Mechanism;
 use proc_macro2::{TokenStream, TokenTree};
 
 use crate::failure::{Failure, known_names};
 use crate::normal::normal;
-use linkage_engine::Mechanism;
 
 /// Dimensions other than those of the file.
 #[derive(Debug, Args)]

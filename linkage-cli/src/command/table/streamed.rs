@@ -4,12 +4,11 @@ use std::borrow::Cow;
 use std::io::{self, Write};
 use std::mem::take;
 
+use linkage_engine::{Assembly, Mechanism};
 use linkage_report::CsvStyle;
 use serde_json::{Value, json};
 
 use super::super::running_input::Along;
-use linkage_engine::Assembly;
-use linkage_engine::Mechanism;
 
 /// Numbers of a table in JSON that are held, where column follows column: those of 361 positions
 /// always.
