@@ -48,6 +48,7 @@ pub(super) fn items(outline: &Outline, unit: &CompiledMechanism) -> TokenStream 
                 const GROUPS: &'static [#runtime::Group] = Self::STRUCTURE.groups;
                 const LEVELS: &'static [#runtime::Level] = &#levels;
 
+                #[inline]
                 fn surveyor(
                     &self,
                     __modes: &[#runtime::AssemblyMode],
@@ -57,6 +58,7 @@ pub(super) fn items(outline: &Outline, unit: &CompiledMechanism) -> TokenStream 
                     #assembly::__surveyor(self, __modes, __starts, __at)
                 }
 
+                #[inline]
                 fn survey(__assembly: &#assembly<#float>, __at: [#float; #inputs]) -> [#float; #count] {
                     __assembly.__survey::<{ #runtime::FUSED }>(__at)
                 }
@@ -91,6 +93,7 @@ fn coupled(outline: &Outline, unit: &CompiledMechanism) -> TokenStream {
     let [starts, inputs] = [outline.starts.len(), outline.inputs.len()].map(literal::index);
     let [modes, lane] = copies(outline, unit);
     quote! {
+        #[inline]
         fn coupled(
             &self,
             __modes: &[#runtime::AssemblyMode],
@@ -143,6 +146,7 @@ fn one_input(outline: &Outline, unit: &CompiledMechanism) -> TokenStream {
             const UNKNOWNS: &'static [#runtime::SurveyedUnknown] = &[#(#unknowns),*];
             const COUNTS: [__p::usize; 2] = [#(#counts),*];
 
+            #[inline]
             fn bounds(
                 __assembly: &#assembly<#float>,
                 __number: __p::usize,
@@ -151,6 +155,7 @@ fn one_input(outline: &Outline, unit: &CompiledMechanism) -> TokenStream {
                 #runtime::Box::new(move |__x| __bounds.__survey::<{ #runtime::FUSED }>([__x])[__number])
             }
 
+            #[inline]
             fn assembled(
                 &self,
                 __chosen: &#runtime::Chosen,
@@ -161,6 +166,7 @@ fn one_input(outline: &Outline, unit: &CompiledMechanism) -> TokenStream {
                 #assembled
             }
 
+            #[inline]
             fn check(&self, __at: #float) -> __p::Result<(), #runtime::AssemblyError> {
                 self.assemblies_at(__at).map(|_| ())
             }

@@ -23,8 +23,10 @@ pub(super) fn items(outline: &Outline) -> TokenStream {
         impl #runtime::Dimensions<#count> for #name<__p::f64> {
             const PARAMETERS: &'static [#runtime::Parameter] = Self::PARAMETERS;
 
+            #[inline]
             fn from_values(__values: &[__p::f64; #count]) -> Self { #from_values }
 
+            #[inline]
             fn values(&self) -> [__p::f64; #count] { #of_trait }
         }
         impl<T: #runtime::Scalar> #name<T> {

@@ -114,6 +114,7 @@ fn default(outline: &Outline) -> TokenStream {
     quote! {
         #[automatically_derived]
         impl ::core::default::Default for #name<__p::f64> {
+            #[inline]
             fn default() -> Self { #body }
         }
     }

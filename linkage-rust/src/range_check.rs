@@ -86,6 +86,7 @@ fn method(outline: &Outline, body: TokenStream) -> TokenStream {
                 /// Searches the declared range for change points, dead points and gaps, as the compiler does for the default
                 /// dimensions. An angle without a range is searched for change points over a turn about its reference.
                 #[must_use]
+                #[inline]
                 pub fn check_range(&self) -> #runtime::RangeReport { #body }
             }
         }

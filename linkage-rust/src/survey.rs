@@ -140,6 +140,7 @@ fn surveyor(outline: &Outline, unit: &CompiledMechanism) -> TokenStream {
     let inputs = literal::index(outline.inputs.len());
     quote! {
         impl #assembly<#float> {
+            #[inline]
             fn __surveyor(
                 __m: &#name<#float>,
                 __chosen_modes: &[#runtime::AssemblyMode],

@@ -104,6 +104,7 @@ pub(super) fn items(outline: &Outline, unit: &CompiledMechanism) -> TokenStream 
     };
     quote! {
         impl #assembly<__p::f64> {
+            #[inline]
             fn __wind(
                 __m: &#name<__p::f64>,
                 __modes: &#modes,

@@ -74,8 +74,10 @@ pub(super) fn items(outline: &Outline, unit: &CompiledMechanism) -> TokenStream 
                 __GROUPS
             };
 
+            #[inline]
             fn dimensions(&self) -> [#float; #parameters] { #runtime::Dimensions::values(&self.__m) }
 
+            #[inline]
             fn correct(
                 &self,
                 __group: __p::usize,

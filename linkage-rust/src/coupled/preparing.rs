@@ -76,6 +76,7 @@ pub(super) fn items(outline: &Outline, unit: &CompiledMechanism) -> TokenStream 
             }
         });
         quote! {
+            #[inline]
             fn residuals(&mut self, __own: &[#float], __state: &[#enclosure]) -> #runtime::Vec<#enclosure> { #residuals }
         }
     });
@@ -119,7 +120,9 @@ pub(super) fn items(outline: &Outline, unit: &CompiledMechanism) -> TokenStream 
             true => numbers("missed", number, with_state(number)),
         });
         quote! {
+            #[inline]
             fn estimate(&mut self, __own: &[#float]) -> #runtime::Vec<#float> { #estimate }
+            #[inline]
             fn missed(&mut self, __own: &[#float], __state: &[#float]) -> #runtime::Vec<#float> { #missed }
         }
     });
@@ -146,17 +149,21 @@ pub(super) fn items(outline: &Outline, unit: &CompiledMechanism) -> TokenStream 
             __at: [#float; #inputs],
         }
         impl #coupled {
+            #[inline]
             fn __place(&mut self, __own: &[#float]) -> [#float; #width] {
                 #set_inputs
                 #assembly::<#float>::__extend(&self.__starts, self.__at)
             }
         }
         impl #runtime::Correction for #coupled {
+            #[inline]
             fn correct(&mut self, __own: &[#float], __state: &mut [#float]) -> #runtime::Step { #correct }
         }
         impl #runtime::Residuals for #coupled { #residuals }
         impl #runtime::CoupledPrograms for #coupled {
+            #[inline]
             fn system(&mut self, __own: &[#float]) -> #runtime::Vec<[#float; 2]> { #system }
+            #[inline]
             fn placed(&mut self, __own: &[#float], __state: &[#float]) -> #runtime::Vec<[#float; 2]> { #placed }
             #of_followed
         }
@@ -164,6 +171,7 @@ pub(super) fn items(outline: &Outline, unit: &CompiledMechanism) -> TokenStream 
             const __GROUPS: [#runtime::CoupledGroup; #count] = [#(#groups),*];
 
             /// Group `__number` with what is prepared of those before it.
+            #[inline]
             fn __coupled(
                 __m: &#name<#float>,
                 __modes: &#modes,
