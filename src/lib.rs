@@ -360,41 +360,43 @@ struct Overview;
 #[doc(hidden)]
 pub mod __private {
     pub use crate::{if_alloc, if_rayon, if_report};
+    pub use core::convert::AsRef;
     pub use core::marker::{Send, Sync};
+    pub use core::ops::{Fn, FnOnce};
     pub use core::option::Option;
     pub use core::option::Option::{None, Some};
-    pub use core::primitive::{bool, f64, str, usize};
+    pub use core::primitive::{bool, f64, usize};
     pub use core::result::Result;
     pub use core::result::Result::{Err, Ok};
     pub use linkage_macros::mechanism;
     #[cfg(any(feature = "std", feature = "libm"))]
+    pub use linkage_runtime::support::assemble;
     pub use linkage_runtime::support::{
-        Along, Angle, Revolutions as Turns, revolutions as turns, wind,
+        Along, Angle, ArrayRevolutions as Turns, Compiled, CoreOf, DataOf, Description,
+        RevolutionsOf,
     };
     #[cfg(feature = "alloc")]
     pub use linkage_runtime::support::{
-        Arguments, Box, OverInputs, RowNumbersMut, SetStages, Slices, Vec, assemblies, fill, one,
-        sweep, sweep_into, sweep_sets, sweep_sets_into,
+        Arguments, OverInputs, RowNumbersMut, SetStages, Slices, Vec, fill, sweep, sweep_into,
+        sweep_sets, sweep_sets_into,
     };
     pub use linkage_runtime::support::{
-        AssemblyData as Sealed, Block, Dispatch as Single, FinishedRows, Function, FunctionNames,
-        NoStates, RowNumbers, RunStages, Stage, StageRow, Staged, States, call, call_inlined,
-        close, derivative_of, dispatch as single, drawn, evaluate, explained, finite, margin,
-        named, operations, parameter, rate, sensitivity, value,
-    };
-    #[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]
-    pub use linkage_runtime::support::{
-        Bounds, Chosen, Compiled, CoupledParts, Enclosure, Level, MechanismPath, NoPrograms,
-        OneInput, Ranged, Slack, SurveyedUnknown, check_range, circuits_of,
-        follow_path as follow_way, prepared_over,
+        AssemblyData as Sealed, Block, Core, Dispatch as Single, FinishedRows, Function,
+        FunctionNames, NoStates, RowNumbers, RunStages, Stage, StageRow, Staged, States, call,
+        call_inlined, derivative_of, dispatch as single, drawn, evaluate, margin, named,
+        operations, parameter, rate, sensitivity, value,
     };
     #[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]
     pub use linkage_runtime::support::{
-        Correction, Coupled, CoupledGrid, CoupledGroup, CoupledInput, CoupledLoop, CoupledPrograms,
-        CoupledUnknown, FollowedStages, InitialState as Start, Moving, Range, Residuals, Standing,
-        Step, Stop, Term, Terms, Variable, Wanted, follow, followed_sweep_sets,
-        followed_sweep_sets_into, initial_states as starts, no_initial_states as nothing, pairs,
-        placed, put_corrected, put_state, stepped,
+        Bounds, Enclosure, GroupData, GroupProgram, Grouped, Level, PlainGroups, Slack,
+        SurveyedUnknown, assemble_coupled, assemble_from, assemblies, assemblies_at, bounds,
+        check_range_of, circuits_of,
+    };
+    #[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]
+    pub use linkage_runtime::support::{
+        Coupled, CoupledGrid, CoupledGroup, CoupledInput, CoupledLoop, CoupledUnknown,
+        FollowedStages, InitialState as Start, Moving, Range, Standing, Stop, Term, Terms,
+        Variable, follow, followed_sweep_sets, followed_sweep_sets_into, put_corrected,
     };
     #[cfg(feature = "rayon")]
     pub use linkage_runtime::support::{

@@ -1,42 +1,37 @@
-//! Closing the loops, and evaluating functions.
+//! The values of the functions of an assembled mechanism.
 
 use linkage_compiler::ir::{Body, Function, Surveyed};
 use linkage_runtime::support::{
-    InitialState, Which, close, finite as check_finite, initial_states_of,
+    AssemblyData, Compiled as _, CoreOf, Grouped, InitialState, assemble_there, check_range_of,
 };
-use linkage_runtime::{AssemblyError, AssemblyMode, Estimate, Scalar};
+use linkage_runtime::{AssemblyMode, Estimate, RangeReport, Scalar};
 use linkage_symbolic::program::Source;
 
-use crate::coupled::Programs;
+use crate::compiled::{Assembly, Compiled, numbers};
 use crate::mechanism::Mechanism;
 use crate::mechanism::forever::forever;
-use crate::numbers::{Numbers, States};
+use crate::numbers::States;
 use crate::operations::{by_build, called};
-use crate::revolutions::Revolutions;
-use crate::winding::Winding;
 
-/// An assembled mechanism.
-#[derive(Clone, Debug)]
-pub struct Assembly<'m> {
-    mechanism: &'m Mechanism,
-    dimensions: Vec<f64>,
-    modes: Vec<AssemblyMode>,
-    starts: Vec<InitialState>,
-    revolutions: Revolutions,
-    prepared: Vec<f64>,
-}
-
-impl Assembly<'_> {
+impl<'m> Assembly<'m> {
     /// The mode of each group that has two.
     #[must_use]
     pub fn modes(&self) -> &[AssemblyMode] {
-        &self.modes
+        &self.core().modes
     }
 
     /// The dimensions that it was assembled with.
     #[must_use]
     pub fn dimensions(&self) -> &[f64] {
-        &self.dimensions
+        &self.core().dimensions.dimensions
+    }
+
+    /// Checks the declared range. A mechanism without groups has no findings.
+    ///
+    /// It returns the same as the method `check_range` of the macro's assembly.
+    #[must_use]
+    pub fn check_range(&self) -> RangeReport {
+        check_range_of::<Compiled<'m>>(self)
     }
 
     /// The results of a function, by its number: one for each of its columns.
@@ -46,7 +41,7 @@ impl Assembly<'_> {
     /// If there is no such function or it takes another number of arguments.
     #[must_use]
     pub fn call(&self, function: usize, arguments: &[f64]) -> Vec<f64> {
-        let function = &self.mechanism.compiled.functions[function];
+        let function = &self.mechanism().compiled.functions[function];
         assert_eq!(arguments.len(), function.arguments.len(), "its arguments");
         self.call_body(function, &function.called, arguments)
     }
@@ -58,7 +53,7 @@ impl Assembly<'_> {
         body: &Body,
         arguments: &[f64],
     ) -> Vec<f64> {
-        let compiled = &self.mechanism.compiled;
+        let compiled = &self.mechanism().compiled;
         let mut inputs = vec![f64::NAN; compiled.inputs.len() + compiled.arguments.len()];
         for (&index, x) in function.arguments.iter().zip(arguments) {
             inputs[index] = *x;
@@ -67,12 +62,12 @@ impl Assembly<'_> {
         match body.is_worth_a_call() {
             true => {
                 let states = states.by_machine();
-                let numbers = self.numbers(&inputs, &states);
+                let numbers = numbers(self.core(), &inputs, &states);
                 called(body, |source| numbers.load(source))
             }
             false => {
                 let states = states.by_build();
-                let numbers = self.numbers(&inputs, &states);
+                let numbers = numbers(self.core(), &inputs, &states);
                 by_build(&body.program, |source| numbers.load(source))
             }
         }
@@ -81,7 +76,7 @@ impl Assembly<'_> {
     /// Returns the values of the unknowns at these inputs.
     #[must_use]
     pub fn unknowns(&self, inputs: &[f64]) -> Vec<Estimate> {
-        let unit = &self.mechanism.compiled;
+        let unit = &self.mechanism().compiled;
         let numbers = self.survey(inputs);
         let mut next = numbers[1 + unit.groups.len()..].iter().copied();
         let estimate = |surveyed: &Surveyed| {
@@ -105,234 +100,52 @@ impl Assembly<'_> {
     #[must_use]
     pub fn places(&self, inputs: &[f64]) -> Vec<f64> {
         self.survey(inputs)
-            .split_off(1 + self.mechanism.compiled.groups.len())
+            .split_off(1 + self.mechanism().compiled.groups.len())
     }
 
     /// The least margin of all groups, the slack of every group, the numbers of the unknowns.
-    pub(crate) fn survey(&self, inputs: &[f64]) -> Vec<f64> {
-        let states = self.states(inputs).by_build();
-        let numbers = self.numbers(inputs, &states);
-        by_build(&self.mechanism.compiled.survey, |source| {
-            numbers.load(source)
-        })
+    fn survey(&self, inputs: &[f64]) -> Vec<f64> {
+        let core = self.core();
+        let x = core.dimensions.arguments(self.starts(), &inputs.to_vec());
+        Compiled::survey(core, x)
     }
 
-    /// Returns the closure error of each group at these inputs.
-    pub(crate) fn gaps(&self, inputs: &[f64]) -> Vec<f64> {
-        let states = self.states(inputs).by_build();
-        let numbers = self.numbers(inputs, &states);
-        by_build(&self.mechanism.compiled.gaps, |source| numbers.load(source))
-    }
-
-    pub(crate) fn mechanism(&self) -> &Mechanism {
-        self.mechanism
+    pub(crate) fn mechanism(&self) -> &'m Mechanism {
+        self.core().dimensions.mechanism
     }
 
     /// The numbers that depend on the dimensions alone.
     pub(crate) fn prepared(&self) -> &[f64] {
-        &self.prepared
-    }
-
-    /// The turns of its angles.
-    pub(crate) fn revolutions(&self) -> &Revolutions {
-        &self.revolutions
+        &self.core().prepared
     }
 
     /// The tables of coupled groups.
-    pub(crate) fn starts(&self) -> &[InitialState] {
-        &self.starts
-    }
-
-    /// The state of each coupled group at these inputs, without its floor.
-    pub(crate) fn states_at(&self, inputs: &[f64]) -> Vec<Vec<f64>> {
-        let mut states = self.states(inputs).by_build();
-        for state in &mut states {
-            state.pop();
-        }
-        states
+    pub(crate) fn starts(&self) -> &Vec<InitialState> {
+        AssemblyData::starts(&self.data)
     }
 
     /// Returns a number that no position and no dimension changes.
     pub(crate) fn constant(&self, source: Source) -> f64 {
-        self.numbers(&[], &[]).load(source)
+        numbers(self.core(), &[], &[]).load(source)
     }
 
-    /// Returns true if all groups close at these inputs.
-    fn close(&self, inputs: &[f64]) -> Result<(), AssemblyError> {
-        let gaps = self.gaps(inputs);
-        let Mechanism {
-            name,
-            structure,
-            gap_units,
-            ..
-        } = self.mechanism;
-        close(name, structure.groups, gap_units, &gaps)
+    /// The assembly of other dimensions that is good at these inputs alone; `None` where it cannot
+    /// be followed.
+    pub(crate) fn at_dimensions(&self, dimensions: &[f64], at: &[f64]) -> Option<Self> {
+        let compiled = Compiled::new(self.mechanism(), dimensions);
+        assemble_there(&compiled, self, &at.to_vec())
+    }
+
+    fn core(&self) -> &CoreOf<Compiled<'m>> {
+        AssemblyData::core(&self.data)
     }
 
     /// The origin of the states of coupled groups.
     fn states<'a>(&'a self, inputs: &'a [f64]) -> States<'a> {
         States {
-            mechanism: self.mechanism,
-            starts: &self.starts,
+            mechanism: self.mechanism(),
+            starts: self.starts(),
             inputs,
         }
     }
-
-    fn numbers<'a>(&'a self, inputs: &'a [f64], states: &'a [Vec<f64>]) -> Numbers<'a> {
-        Numbers {
-            dimensions: &self.dimensions,
-            modes: &self.modes,
-            revolutions: &self.revolutions,
-            prepared: &self.prepared,
-            inputs,
-            states,
-        }
-    }
-}
-
-/// The assembly in these modes that the start estimates choose.
-pub(crate) fn assembled<'m>(
-    mechanism: &'m Mechanism,
-    dimensions: &[f64],
-    modes: Vec<AssemblyMode>,
-    at: &[f64],
-) -> Result<Assembly<'m>, AssemblyError> {
-    finite(mechanism, dimensions)?;
-    let mut all = starts(mechanism, dimensions, &modes, at, Which::Nearest)?;
-    with_starts(mechanism, dimensions, modes, at, all.swap_remove(0))
-}
-
-/// All assemblies in these modes: coupled groups have further ones.
-pub(crate) fn all_assembled<'m>(
-    mechanism: &'m Mechanism,
-    dimensions: &[f64],
-    modes: Vec<AssemblyMode>,
-    at: &[f64],
-) -> Result<Vec<Assembly<'m>>, AssemblyError> {
-    finite(mechanism, dimensions)?;
-    let mut found = Vec::new();
-    let mut missed = None;
-    for starts in starts(mechanism, dimensions, &modes, at, Which::All)? {
-        match with_starts(mechanism, dimensions, modes.clone(), at, starts) {
-            Ok(assembly) => found.push(assembly),
-            // Others may let closed forms behind the coupled groups close.
-            Err(error @ AssemblyError::CannotClose { .. }) => missed = Some(error),
-            Err(error) => return Err(error),
-        }
-    }
-    match missed {
-        Some(error) if found.is_empty() => Err(error),
-        _ => Ok(found),
-    }
-}
-
-/// Prepares the coupled groups for the wanted assemblies; for a mechanism without any, returns
-/// one list of none.
-fn starts(
-    mechanism: &Mechanism,
-    dimensions: &[f64],
-    modes: &[AssemblyMode],
-    at: &[f64],
-    wanted: Which<'_>,
-) -> Result<Vec<Vec<InitialState>>, AssemblyError> {
-    let nothing = vec![InitialState::Nothing; mechanism.groups.len()];
-    let found = initial_states_of(
-        mechanism.groups,
-        nothing.clone(),
-        at,
-        wanted,
-        |number, starts| Programs::new(mechanism, dimensions, modes, at, number, starts),
-    );
-    found.map_err(|error| {
-        // A group with a closed form that does not close before a coupled one is needed.
-        let revolutions = Revolutions::at_estimates(mechanism);
-        let closed =
-            prepared(mechanism, dimensions, modes.to_vec(), revolutions, nothing).close(at);
-        match closed {
-            Err(first @ AssemblyError::CannotClose { .. }) => first,
-            _ => error,
-        }
-    })
-}
-
-pub(crate) fn with_starts<'m>(
-    mechanism: &'m Mechanism,
-    dimensions: &[f64],
-    modes: Vec<AssemblyMode>,
-    at: &[f64],
-    starts: Vec<InitialState>,
-) -> Result<Assembly<'m>, AssemblyError> {
-    let turning = Winding {
-        mechanism,
-        dimensions,
-        modes: &modes,
-        starts: &starts,
-    };
-    let found = turning.wind(mechanism.angles.len(), at);
-    let revolutions = match &found {
-        Ok(revolutions) => revolutions.clone(),
-        Err(_) => Revolutions::at_estimates(mechanism),
-    };
-    let assembly = prepared(mechanism, dimensions, modes, revolutions, starts);
-    assembly.close(at)?;
-    match found {
-        Ok(_) => Ok(assembly),
-        Err(unknown) => Err(AssemblyError::NoWinding {
-            mechanism: mechanism.name,
-            unknown,
-        }),
-    }
-}
-
-/// An assembly that need not close.
-pub(crate) fn prepared<'m>(
-    mechanism: &'m Mechanism,
-    dimensions: &[f64],
-    modes: Vec<AssemblyMode>,
-    revolutions: Revolutions,
-    starts: Vec<InitialState>,
-) -> Assembly<'m> {
-    let turning = Winding {
-        mechanism,
-        dimensions,
-        modes: &modes,
-        starts: &starts,
-    };
-    let prepared = turning.prepare(&revolutions);
-    Assembly {
-        mechanism,
-        dimensions: dimensions.to_vec(),
-        modes,
-        starts,
-        revolutions,
-        prepared,
-    }
-}
-
-/// An assembly that need not close, for surveys at these inputs.
-pub(crate) fn surveyor<'m>(
-    mechanism: &'m Mechanism,
-    dimensions: &[f64],
-    modes: Vec<AssemblyMode>,
-    starts: Vec<InitialState>,
-    at: &[f64],
-) -> Assembly<'m> {
-    let turning = Winding {
-        mechanism,
-        dimensions,
-        modes: &modes,
-        starts: &starts,
-    };
-    let found = match mechanism.compiled.surveying {
-        0 => None,
-        count => turning.wind(count, at).ok(),
-    };
-    let revolutions = found.unwrap_or_else(|| Revolutions::at_estimates(mechanism));
-    prepared(mechanism, dimensions, modes, revolutions, starts)
-}
-
-pub(crate) fn finite(mechanism: &Mechanism, dimensions: &[f64]) -> Result<(), AssemblyError> {
-    let groups = mechanism.compiled.groups.iter();
-    let needed: Vec<usize> = groups.flat_map(|group| group.parameters.clone()).collect();
-    check_finite(mechanism.name, mechanism.parameters, &needed, dimensions)
 }

@@ -1,12 +1,12 @@
 //! Assemblies of a mechanism, its circuits, and the effects of its tolerances.
 
-use linkage_runtime::support::{assemblies, explained_by};
+use linkage_runtime::support::{
+    AssemblyData, Core, assemble_coupled, assemble_from, assemblies_at, circuits_of,
+};
 use linkage_runtime::{AssemblyError, Circuits};
 
-use crate::assembled::{Assembly, all_assembled, assembled};
-use crate::circuits::circuits_of;
+use crate::compiled::{Assembly, Compiled};
 use crate::mechanism::Mechanism;
-use crate::other_dimensions::continued;
 use crate::tolerance_effects::{SensitiveQuantity, sensitive_quantities};
 
 impl Mechanism {
@@ -16,9 +16,7 @@ impl Mechanism {
     ///
     /// As the method `assemble` of the macro's struct.
     pub fn assemble(&self, dimensions: &[f64]) -> Result<Assembly<'_>, AssemblyError> {
-        let at = self.reference();
-        let result = assembled(self, dimensions, self.modes(), &at);
-        explained_by(result, self.parameters, dimensions)
+        assemble_coupled(&Compiled::new(self, dimensions))
     }
 
     /// Every assembly at the inputs `at`, the one that the start estimates choose first.
@@ -31,10 +29,7 @@ impl Mechanism {
         dimensions: &[f64],
         at: &[f64],
     ) -> Result<Vec<Assembly<'_>>, AssemblyError> {
-        let result = assemblies(self.name, self.modes(), |modes| {
-            all_assembled(self, dimensions, modes, at)
-        });
-        explained_by(result, self.parameters, dimensions)
+        assemblies_at(&Compiled::new(self, dimensions), &at.to_vec())
     }
 
     /// Assembles other dimensions in the assembly of `from`, which is followed along the straight
@@ -49,7 +44,16 @@ impl Mechanism {
         dimensions: &[f64],
         from: &Assembly<'_>,
     ) -> Result<Assembly<'_>, AssemblyError> {
-        continued(self, dimensions, from)
+        // The mechanism is this one, and may be borrowed longer.
+        let core = AssemblyData::core(&from.data);
+        let core = Core {
+            dimensions: Compiled::new(self, from.dimensions()),
+            modes: core.modes.clone(),
+            revolutions: core.revolutions.clone(),
+            prepared: core.prepared.clone(),
+        };
+        let data = AssemblyData::new(core, from.starts().clone());
+        assemble_from(&Compiled::new(self, dimensions), &Assembly { data })
     }
 
     /// Every assembly over the range of the input; `None` for a mechanism without groups or with
@@ -62,7 +66,8 @@ impl Mechanism {
         &'m self,
         dimensions: &'m [f64],
     ) -> Option<Result<Circuits<Assembly<'m>>, AssemblyError>> {
-        circuits_of(self, dimensions)
+        let searched = self.compiled.inputs.len() == 1 && !self.compiled.groups.is_empty();
+        searched.then(|| circuits_of(&Compiled::new(self, dimensions)))
     }
 
     /// Returns the quantities of a function, by its number, that have derivatives by parameters.

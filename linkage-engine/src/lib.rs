@@ -31,9 +31,8 @@
 mod page {}
 
 mod assembled;
-mod circuits;
 mod columns;
-mod coupled;
+mod compiled;
 mod error;
 mod kinematics;
 mod mechanism;
@@ -41,16 +40,12 @@ mod messages;
 mod normal;
 mod numbers;
 mod operations;
-mod other_dimensions;
-mod range_check;
-mod revolutions;
 mod source;
 mod sweep;
 mod tolerance_effects;
-mod winding;
 
-pub use assembled::Assembly;
 pub use columns::Columns;
+pub use compiled::Assembly;
 pub use error::{CompileError, SourceError, ToleranceError, UnknownFunction};
 pub use linkage_runtime::{
     AssemblyError, AssemblyMode, Circuits, Estimate, Heading, Input, Parameter, RangeReport,

@@ -8,7 +8,7 @@ use std::sync::OnceLock;
 
 use linkage_compiler::ir::{CompiledMechanism, plain};
 use linkage_compiler::{Checked, check_all};
-use linkage_runtime::support::{Angle, CoupledGroup, Level, SurveyedUnknown};
+use linkage_runtime::support::{Description, GroupData};
 use linkage_runtime::{AssemblyMode, Heading, Input, Parameter, Structure};
 use linkage_symbolic::blocks::BlockProgram;
 
@@ -23,18 +23,12 @@ use forever::forever;
 /// order of [`inputs`](Self::inputs).
 #[derive(Clone, Debug)]
 pub struct Mechanism {
-    pub(crate) name: &'static str,
+    pub(crate) description: &'static Description,
+    pub(crate) group_data: &'static GroupData,
     pub(crate) compiled: CompiledMechanism,
-    pub(crate) inputs: &'static [Input],
-    pub(crate) parameters: &'static [Parameter],
-    pub(crate) structure: &'static Structure,
+    structure: &'static Structure,
     headings: Vec<&'static Heading>,
     warnings: String,
-    pub(crate) gap_units: Vec<&'static str>,
-    pub(crate) groups: &'static [CoupledGroup],
-    pub(crate) levels: &'static [Level],
-    pub(crate) surveyed: &'static [SurveyedUnknown],
-    pub(crate) angles: Vec<Angle<Vec<f64>>>,
     /// The programs of sweeps, made when they are first needed.
     pub(crate) block_programs: Vec<OnceLock<BlockProgram>>,
 }
@@ -87,7 +81,7 @@ impl Mechanism {
         match (all.pop(), &all[..]) {
             (Some(only), []) => Ok(only),
             (last, others) => {
-                let names: Vec<&str> = others.iter().chain(&last).map(|one| one.name).collect();
+                let names: Vec<&str> = others.iter().chain(&last).map(|one| one.name()).collect();
                 Err(CompileError(format!(
                     "the text holds {} mechanisms, `{}`: `linkage_engine::compile` returns all of them",
                     names.len(),
@@ -102,19 +96,12 @@ impl Mechanism {
     pub fn new(checked: &Checked) -> Option<Self> {
         let compiled = checked.unit.clone()?;
         let name = forever(checked.name.as_deref().unwrap_or_default());
-        let groups = compiled.groups.iter();
-        let gap_units = groups.map(|group| forever(group.gap_unit.as_str()));
+        let structure = describe::structure(&compiled);
         Some(Self {
-            name,
-            inputs: describe::inputs(&compiled),
-            parameters: describe::parameters(&compiled),
-            structure: describe::structure(&compiled),
+            description: describe::description(name, structure.groups, &compiled),
+            group_data: describe::group_data(name, &compiled),
+            structure,
             headings: describe::headings(&compiled),
-            gap_units: gap_units.collect(),
-            groups: describe::groups(name, &compiled),
-            levels: forever(compiled.levels()),
-            surveyed: describe::surveyed(&compiled),
-            angles: describe::angles(&compiled),
             block_programs: vec![OnceLock::new(); compiled.functions.len()],
             warnings: String::new(),
             compiled,
@@ -124,19 +111,19 @@ impl Mechanism {
     /// Returns the name of its struct.
     #[must_use]
     pub fn name(&self) -> &'static str {
-        self.name
+        self.description.name
     }
 
     /// Returns its inputs, as the constant `INPUTS` of the macro's struct.
     #[must_use]
     pub fn inputs(&self) -> &'static [Input] {
-        self.inputs
+        self.description.inputs
     }
 
     /// Returns its scalar parameters with defaults and tolerances, as the constant `PARAMETERS`.
     #[must_use]
     pub fn parameters(&self) -> &'static [Parameter] {
-        self.parameters
+        self.description.parameters
     }
 
     /// Returns its groups and their solutions, as the constant `STRUCTURE`.
@@ -160,7 +147,7 @@ impl Mechanism {
         let mut headings = self.headings.iter();
         let found = headings.position(|heading| heading.function == name);
         found.ok_or_else(|| UnknownFunction {
-            mechanism: self.name,
+            mechanism: self.description.name,
             name: name.to_owned(),
             functions: self
                 .headings
@@ -197,7 +184,10 @@ impl Mechanism {
     ///
     /// If there is no such parameter.
     pub fn set_tolerance(&mut self, index: usize, tolerance: f64) {
-        assert!(index < self.parameters.len(), "one of its parameters");
+        assert!(
+            index < self.description.parameters.len(),
+            "one of its parameters"
+        );
         self.set_parameters(|parameter, _, declared| {
             if parameter == index {
                 *declared = tolerance;
@@ -211,17 +201,24 @@ impl Mechanism {
     ///
     /// If there is another number of parameters.
     pub fn set_dimensions(&mut self, dimensions: &[f64]) {
-        assert_eq!(dimensions.len(), self.parameters.len(), "its parameters");
+        assert_eq!(
+            dimensions.len(),
+            self.description.parameters.len(),
+            "its parameters"
+        );
         self.set_parameters(|parameter, nominal, _| *nominal = dimensions[parameter]);
     }
 
     /// Changes default and tolerance of each parameter, by its index.
     fn set_parameters(&mut self, change: impl Fn(usize, &mut f64, &mut f64)) {
-        let mut parameters = self.parameters.to_vec();
+        let mut parameters = self.description.parameters.to_vec();
         for (index, parameter) in parameters.iter_mut().enumerate() {
             change(index, &mut parameter.nominal, &mut parameter.tolerance);
         }
-        self.parameters = forever(parameters);
+        self.description = forever(Description {
+            parameters: forever(parameters),
+            ..*self.description
+        });
         let parameters = self.compiled.parameters.iter_mut();
         let scalars = parameters.flat_map(|parameter| &mut parameter.scalars);
         for (index, scalar) in scalars.enumerate() {
@@ -249,13 +246,7 @@ impl Mechanism {
     /// The modes that the start estimates choose.
     #[must_use]
     pub fn modes(&self) -> Vec<AssemblyMode> {
-        let modes = self.compiled.modes().into_iter();
-        modes
-            .map(|plus| match plus {
-                true => AssemblyMode::Plus,
-                false => AssemblyMode::Minus,
-            })
-            .collect()
+        self.description.modes.to_vec()
     }
 
     /// Returns name and unit of an argument of functions, by its index among inputs and arguments.
@@ -265,8 +256,11 @@ impl Mechanism {
     /// If there is no such argument.
     #[must_use]
     pub fn argument(&self, index: usize) -> (&str, &str) {
-        match index.checked_sub(self.inputs.len()) {
-            None => (self.inputs[index].name, self.inputs[index].unit),
+        match index.checked_sub(self.description.inputs.len()) {
+            None => (
+                self.description.inputs[index].name,
+                self.description.inputs[index].unit,
+            ),
             Some(number) => {
                 let argument = &self.compiled.arguments[number];
                 (plain(&argument.name), &argument.unit)

@@ -1,18 +1,17 @@
 //! Numbers that programs load.
 
-use linkage_runtime::support::{Dispatch, InitialState, dispatch, inlined};
+use linkage_runtime::support::{Dispatch, InitialState, Revolutions, dispatch, inlined};
 use linkage_runtime::{AssemblyMode, Scalar};
 use linkage_symbolic::program::Source;
 
 use crate::mechanism::Mechanism;
-use crate::revolutions::Revolutions;
 
 /// A mechanism's numbers at some inputs.
 #[derive(Clone, Copy)]
 pub(crate) struct Numbers<'a> {
     pub(crate) dimensions: &'a [f64],
     pub(crate) modes: &'a [AssemblyMode],
-    pub(crate) revolutions: &'a Revolutions,
+    pub(crate) revolutions: &'a Revolutions<Vec<f64>, Vec<Vec<f64>>>,
     pub(crate) prepared: &'a [f64],
     /// Inputs, then the arguments behind them.
     pub(crate) inputs: &'a [f64],

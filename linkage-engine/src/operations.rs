@@ -18,16 +18,11 @@ pub(crate) fn by_build(program: &Program, load: impl Fn(Source) -> f64) -> Vec<f
     inlined(&Run::<_, false> { program, load }, [])
 }
 
-/// The outputs of a program, with fused multiply-add if the machine has it.
-pub(crate) fn by_machine(program: &Program, load: impl Fn(Source) -> f64) -> Vec<f64> {
-    dispatch(&Run::<_, false> { program, load }, [])
-}
-
 /// The outputs of a function, as its calls compute them.
 pub(crate) fn called(body: &Body, load: impl Fn(Source) -> f64) -> Vec<f64> {
     let program = &body.program;
     match body.compares_sines {
-        true => by_machine(program, load),
+        true => dispatch(&Run::<_, false> { program, load }, []),
         false => dispatch(&Run::<_, true> { program, load }, []),
     }
 }

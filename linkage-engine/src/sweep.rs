@@ -13,10 +13,9 @@ use linkage_symbolic::Binding;
 use linkage_symbolic::blocks::{BLOCK, BlockProgram};
 use linkage_symbolic::program::{Instruction, Program, Source};
 
-use crate::assembled::Assembly;
 use crate::columns::{Columns, rows, split};
+use crate::compiled::Assembly;
 use crate::mechanism::Mechanism;
-use crate::other_dimensions::followed_at;
 use slices::{Blocks, Loads, number};
 
 /// Mechanisms that are prepared at once.
@@ -178,7 +177,10 @@ impl Assembly<'_> {
     ) {
         let mechanism = self.mechanism();
         let heading = mechanism.headings()[number];
-        let names = mechanism.parameters.iter().map(|parameter| parameter.name);
+        let names = mechanism
+            .parameters()
+            .iter()
+            .map(|parameter| parameter.name);
         let names: Vec<&str> = names.chain(heading.arguments.iter().copied()).collect();
         let all = [parameters, arguments].concat();
         let positions = positions(heading.function, &names, &all);
@@ -227,7 +229,7 @@ impl Assembly<'_> {
                     *input = *x;
                 }
             }
-            if let Some(found) = followed_at(mechanism, &dimensions, self, &at) {
+            if let Some(found) = self.at_dimensions(&dimensions, &at) {
                 let numbers = found.call_body(function, body, &arguments);
                 for (column, number) in columns.iter_mut().zip(numbers) {
                     column[row] = number;

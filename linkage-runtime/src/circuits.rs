@@ -22,5 +22,5 @@ mod unknowns;
 
 pub use branch::{Branch, BranchEnd, Circuits, Estimate, Meeting};
 pub use find::circuits;
-pub use levels::{Bounds, Chosen, Levels, NoPrograms, Searched, SurveyedUnknown};
-pub use one_input::{OneInput, circuits_of};
+pub use levels::{Chosen, Levels, Searched};
+pub use one_input::circuits_of;

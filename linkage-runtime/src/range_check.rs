@@ -9,7 +9,7 @@ mod stretches;
 #[cfg(test)]
 mod tests;
 
-pub use check::check_range;
+pub use check::{check_range, check_range_of};
 pub use linkage_core::range_check::Unchecked;
 pub use print::RangeMessage;
 pub use report::{RangeFinding, RangeFindingKind, RangeReport, Ranged};

@@ -1,9 +1,7 @@
 //! Items that only generated code calls.
 
+mod assembling;
 mod assembly_data;
-mod close;
-#[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]
-mod compiled;
 mod constants;
 #[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]
 mod continuation;
@@ -14,8 +12,6 @@ mod evaluation;
 #[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]
 mod follower;
 mod named;
-#[cfg(any(feature = "std", feature = "libm"))]
-mod revolutions;
 #[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]
 mod settle;
 mod stages;
@@ -23,19 +19,26 @@ mod stages;
 mod sweep;
 
 #[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]
-pub use crate::circuits::{
-    Bounds, Chosen, Levels, NoPrograms, OneInput, Searched, SurveyedUnknown, circuits, circuits_of,
-};
+pub use crate::circuits::{Chosen, Levels, Searched, circuits, circuits_of};
 #[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]
-pub use crate::range_check::{Ranged, check_range};
+pub use crate::range_check::{Ranged, check_range, check_range_of};
 #[cfg(feature = "alloc")]
 pub use alloc::{boxed::Box, vec::Vec};
-pub use assembly_data::AssemblyData;
-#[cfg(feature = "alloc")]
-pub use close::{assemblies, one};
-pub use close::{close, explained, explained_by, finite};
+#[cfg(any(feature = "std", feature = "libm"))]
+pub use assembling::assemble;
+pub use assembling::{
+    Along, Angle, ArrayRevolutions, Compiled, CoreOf, DataOf, Description, List, Revolutions,
+    RevolutionsOf,
+};
 #[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]
-pub use compiled::{Compiled, CoupledParts, MechanismPath};
+pub use assembling::{
+    Bounds, CoupledParts, GroupData, GroupProgram, GroupPrograms, Grouped, PlainGroups,
+    SurveyedUnknown, assemble_coupled, assemble_from, assemble_there, assemblies, assemblies_at,
+    bounds,
+};
+#[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]
+pub(crate) use assembling::{surveyor, with_lanes};
+pub use assembly_data::{AssemblyData, Core};
 pub use constants::{
     derivative_of, drawn, margin, operations, parameter, rate, sensitivity, value,
 };
@@ -44,9 +47,8 @@ pub use continuation::{DimensionPath, follow_path, state_here};
 #[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]
 pub use coupled::{
     Coupled, CoupledGrid, CoupledGroup, CoupledInput, CoupledLoop, CoupledPrograms,
-    CoupledSolution, CoupledUnknown, InitialState, Wanted, Which, initial_states,
-    initial_states_of, list_solutions, nearest_solution, no_initial_states, pairs, placed,
-    prepared, prepared_over, prepared_over_in, put_state, stepped,
+    CoupledSolution, CoupledUnknown, InitialState, NoPrograms, Which, initial_states,
+    list_solutions, nearest_solution, pairs, prepared,
 };
 pub use dispatch::{Dispatch, dispatch, inlined};
 pub use evaluation::{Function, FunctionNames, NoStates, States, call, call_inlined, evaluate};
@@ -63,8 +65,6 @@ pub use linkage_core::range_check::Slack;
 #[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]
 pub use linkage_core::{Enclosure, Level};
 pub use named::{Named, named};
-#[cfg(any(feature = "std", feature = "libm"))]
-pub use revolutions::{Along, Angle, Revolutions, revolutions, wind, wind_one};
 pub use stages::{
     Block, FinishedRows, Memory, RowNumbers, RunStages, Stage, StageRow, Staged, once,
 };

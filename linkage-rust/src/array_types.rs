@@ -1,45 +1,46 @@
-//! The array types of private functions, over the scalar `T`.
+//! The array types of a mechanism's numbers, over the scalar `T`.
 
-use proc_macro2::{Ident, TokenStream};
-use quote::{format_ident, quote};
+use proc_macro2::TokenStream;
+use quote::quote;
 
 use super::literal;
 use super::load::Places;
 use super::outline::{Outline, PreparedGroup};
-use linkage_compiler::ir::CompiledMechanism;
 
-/// The array types of private functions, over `T`.
+/// The types of a mechanism's numbers, over `T`.
 pub(super) struct Types {
     pub modes: TokenStream,
     pub inputs: TokenStream,
+    pub centres: TokenStream,
+    pub windings: TokenStream,
+    pub prepared: TokenStream,
     /// Inputs and states.
     pub arguments: TokenStream,
-    pub turns: TokenStream,
-    pub prepared: TokenStream,
-    pub gaps: TokenStream,
 }
 
 impl Types {
-    pub(super) fn new(outline: &Outline, unit: &CompiledMechanism) -> Self {
+    pub(super) fn new(outline: &Outline) -> Self {
         let runtime = &outline.runtime;
-        let modes = literal::index(outline.modes.len());
-        let inputs = literal::index(unit.inputs.len());
-        let prepared = literal::index(outline.prepared);
-        let arguments = literal::index(Places::all(outline).width());
-        let angles = literal::index(unit.angles.len());
-        let gaps = literal::index(unit.gaps.outputs.len());
+        let [modes, inputs, angles, prepared, arguments] = [
+            outline.modes.len(),
+            outline.inputs.len(),
+            outline.continuous_angles,
+            outline.prepared,
+            Places::all(outline).width(),
+        ]
+        .map(literal::index);
         Self {
             modes: quote!([#runtime::AssemblyMode; #modes]),
             inputs: quote!([T; #inputs]),
-            arguments: quote!([T; #arguments]),
-            turns: quote!(#runtime::Turns<T, #angles, #inputs>),
+            centres: quote!([T; #angles]),
+            windings: quote!([[T; #inputs]; #angles]),
             prepared: quote!([T; #prepared]),
-            gaps: quote!([T; #gaps]),
+            arguments: quote!([T; #arguments]),
         }
     }
 }
 
-/// The type of all starts.
+/// The type of all starts: nothing, or one of each coupled group.
 pub(super) fn starts_type(outline: &Outline) -> TokenStream {
     let types = outline
         .starts
@@ -57,9 +58,4 @@ pub(super) fn start_type(outline: &Outline, start: &PreparedGroup) -> TokenStrea
         1 => quote!(#runtime::Coupled<#size>),
         _ => quote!(#runtime::CoupledGrid<#inputs, #size, #terms>),
     }
-}
-
-/// The type of the groups' programs on plain numbers.
-pub(super) fn coupled_name(outline: &Outline) -> Ident {
-    format_ident!("__{}Coupled", outline.name)
 }

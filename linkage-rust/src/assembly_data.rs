@@ -17,24 +17,6 @@ pub(super) fn field(outline: &Outline) -> TokenStream {
     quote!(__sealed: #runtime::Sealed<#core<T> #starts>,)
 }
 
-/// An assembly of `__m`, `__modes`, `__turns`, `__prepared`, and `__starts` if there are coupled
-/// groups.
-pub(super) fn made(outline: &Outline) -> TokenStream {
-    let Outline { runtime, core, .. } = outline;
-    let starts = match outline.starts.is_empty() {
-        true => quote!(()),
-        false => quote!(__starts),
-    };
-    quote! {
-        Self {
-            __sealed: #runtime::Sealed::new(
-                #core { __mechanism: *__m, __modes, __turns, __prepared },
-                #starts,
-            ),
-        }
-    }
-}
-
 /// A reference to the core of the assembly `of`.
 pub(super) fn core(outline: &Outline, of: &TokenStream) -> TokenStream {
     let runtime = &outline.runtime;

@@ -98,6 +98,15 @@ pub(super) fn outputs(program: &Program) -> TokenStream {
     quote!([#(#names),*])
 }
 
+/// The outputs in pairs, `[[cosine, sine], ...]`.
+pub(super) fn pairs(program: &Program) -> TokenStream {
+    let pairs = program.outputs.chunks(2).map(|pair| {
+        let names = pair.iter().map(|v| name(*v));
+        quote!([#(#names),*])
+    });
+    quote!([#(#pairs),*])
+}
+
 /// The temporary of a value.
 pub(super) fn name(value: Value) -> Ident {
     format_ident!("__v{}", value.0, span = Span::mixed_site())

@@ -1,175 +1,177 @@
-//! The mechanism as the searches of the runtime see it: the traits `Compiled` and `OneInput`.
+//! The mechanism as the runtime assembles it: the trait `Compiled`.
 
+use linkage_symbolic::program::Program;
 use proc_macro2::TokenStream;
 use quote::quote;
 
-use super::array_types::Types;
+use super::array_types::{Types, starts_type};
+use super::body::Runs;
+use super::load::{Places, loader};
 use super::outline::Outline;
-use super::{array_types, literal, survey};
-use linkage_compiler::ir::CompiledMechanism;
+use super::{body, literal};
+use linkage_compiler::ir::{CompiledMechanism, ContinuousAngle};
 
-/// The traits; nothing for a mechanism without groups.
+/// The trait.
 pub(super) fn items(outline: &Outline, unit: &CompiledMechanism) -> TokenStream {
-    if unit.groups.is_empty() {
-        return TokenStream::new();
-    }
     let Outline {
         runtime,
         name,
         assembly,
         ..
     } = outline;
-    let float = quote!(__p::f64);
-    let title = outline.title();
-    let levels = survey::levels(outline, unit);
-    let [parameters, inputs, count] = [
-        outline.scalar_fields().len(),
-        outline.inputs.len(),
-        unit.survey.outputs.len(),
-    ]
-    .map(literal::index);
-    let (programs, coupled) = match outline.starts.is_empty() {
-        true => (quote!(#runtime::NoPrograms), TokenStream::new()),
-        false => {
-            let programs = array_types::coupled_name(outline);
-            (quote!(#programs), coupled(outline, unit))
-        }
+    let Types {
+        modes,
+        inputs,
+        centres,
+        windings,
+        prepared,
+        arguments,
+    } = Types::new(outline);
+    let states = starts_type(outline);
+    let description = description(outline, unit);
+    let all = match outline.starts.is_empty() {
+        true => quote!(*__inputs),
+        false => quote!(#assembly::<T>::__extend(__states, *__inputs)),
     };
-    let one_input = (unit.inputs.len() == 1).then(|| one_input(outline, unit));
+    let prepare = program(outline, &unit.prepare, body::outputs);
+    let gaps = over_core(outline, &unit.gaps, body::outputs);
+    let directions = over_core(outline, &unit.directions, body::pairs);
+    let bearings = program(outline, &unit.bearings, body::pairs);
+    let as_ref = quote!(impl #runtime::AsRef);
     quote! {
-        #runtime::if_alloc! {
-            impl #runtime::Compiled<#parameters, #inputs> for #name<#float> {
-                type Assembly = #assembly<#float>;
-                type Survey = [#float; #count];
-                type Programs = #programs;
+        impl<T: #runtime::Scalar> #runtime::Compiled for #name<T> {
+            type Scalar = T;
+            type Plain = #name<__p::f64>;
+            type Assembly = #assembly<T>;
+            type Modes = #modes;
+            type Inputs = #inputs;
+            type Centres = #centres;
+            type Windings = #windings;
+            type Prepared = #prepared;
+            type States = #states;
+            type Arguments = #arguments;
 
-                const NAME: &'static __p::str = #title;
-                const INPUTS: &'static [#runtime::Input] = Self::INPUTS;
-                const GROUPS: &'static [#runtime::Group] = Self::STRUCTURE.groups;
-                const LEVELS: &'static [#runtime::Level] = &#levels;
+            fn description(&self) -> &'static #runtime::Description { const { &#description } }
 
-                #[inline]
-                fn surveyor(
-                    &self,
-                    __modes: &[#runtime::AssemblyMode],
-                    __starts: &[#runtime::Start],
-                    __at: [#float; #inputs],
-                ) -> #assembly<#float> {
-                    #assembly::__surveyor(self, __modes, __starts, __at)
-                }
+            fn assembly(__sealed: #runtime::DataOf<Self>) -> #assembly<T> { #assembly { __sealed } }
 
-                #[inline]
-                fn survey(__assembly: &#assembly<#float>, __at: [#float; #inputs]) -> [#float; #count] {
-                    __assembly.__survey::<{ #runtime::FUSED }>(__at)
-                }
-                #coupled
-            }
-            #one_input
-        }
-    }
-}
+            #[inline(always)]
+            fn data(__assembly: &#assembly<T>) -> &#runtime::DataOf<Self> { &__assembly.__sealed }
 
-/// Copies of the modes and of the initial states of one lane.
-fn copies(outline: &Outline, unit: &CompiledMechanism) -> [TokenStream; 2] {
-    let runtime = &outline.runtime;
-    let Types { modes, .. } = Types::new(outline, unit);
-    let starts = literal::index(outline.starts.len());
-    [
-        quote!(let __modes: #modes = ::core::array::from_fn(|__k| __modes[__k]);),
-        quote! {
-            let __lane: [#runtime::Start; #starts] =
-                ::core::array::from_fn(|__k| ::core::clone::Clone::clone(&__starts[__k]));
-        },
-    ]
-}
+            #[inline(always)]
+            fn dimensions(&self) -> #as_ref<[T]> { self.__values() }
 
-/// A coupled group, given those before it.
-fn coupled(outline: &Outline, unit: &CompiledMechanism) -> TokenStream {
-    let Outline {
-        runtime, assembly, ..
-    } = outline;
-    let float = quote!(__p::f64);
-    let programs = array_types::coupled_name(outline);
-    let [starts, inputs] = [outline.starts.len(), outline.inputs.len()].map(literal::index);
-    let [modes, lane] = copies(outline, unit);
-    quote! {
-        #[inline]
-        fn coupled(
-            &self,
-            __modes: &[#runtime::AssemblyMode],
-            __starts: &[#runtime::Start],
-            __number: __p::usize,
-            __at: [#float; #inputs],
-        ) -> __p::Option<#runtime::CoupledParts<#programs>> {
-            #modes
-            #lane
-            let __groups: &'static [#runtime::CoupledGroup; #starts] = &#assembly::<#float>::__GROUPS;
-            let __made = #assembly::<#float>::__coupled(self, &__modes, __at, __number, &__lane);
-            __p::Some(__made.map(|__made| (&__groups[__number], __made)))
-        }
-    }
-}
-
-/// The trait of a mechanism with one input.
-fn one_input(outline: &Outline, unit: &CompiledMechanism) -> TokenStream {
-    let Outline {
-        runtime,
-        name,
-        assembly,
-        ..
-    } = outline;
-    let float = quote!(__p::f64);
-    let parameters = literal::index(outline.scalar_fields().len());
-    let counts = [outline.modes.len(), outline.starts.len()].map(literal::index);
-    let unknowns = unit.surveyed.iter().map(|surveyed| {
-        let unknown = &unit.unknowns[surveyed.unknown];
-        let name = &unknown.name;
-        let angle = surveyed.angle;
-        let unit = match angle {
-            true => "",
-            false => &unknown.unit,
-        };
-        let numbers = literal::index(surveyed.numbers);
-        quote!(#runtime::SurveyedUnknown { name: #name, unit: #unit, angle: #angle, numbers: #numbers })
-    });
-    let [modes, lane] = copies(outline, unit);
-    let assembled = match outline.starts.is_empty() {
-        true => quote!(#assembly::__assemble(self, __modes, [__at])),
-        false => quote! {
-            let __starts = &__chosen.starts;
-            #lane
-            #assembly::__with_starts(self, __modes, [__at], ::core::slice::from_ref(&__lane))
-        },
-    };
-    quote! {
-        impl #runtime::OneInput<#parameters> for #name<#float> {
-            const UNKNOWNS: &'static [#runtime::SurveyedUnknown] = &[#(#unknowns),*];
-            const COUNTS: [__p::usize; 2] = [#(#counts),*];
-
-            #[inline]
-            fn bounds(
-                __assembly: &#assembly<#float>,
-                __number: __p::usize,
-            ) -> #runtime::Bounds<'static> {
-                let __bounds = #assembly::<#runtime::Enclosure>::__without_starts(__assembly);
-                #runtime::Box::new(move |__x| __bounds.__survey::<{ #runtime::FUSED }>([__x])[__number])
+            #[inline(always)]
+            fn with_dimensions(&self, __dimension: impl #runtime::Fn(__p::usize) -> T) -> Self {
+                Self::__of(__dimension)
             }
 
-            #[inline]
-            fn assembled(
+            fn plain(&self, __dimension: impl #runtime::Fn(__p::usize) -> __p::f64) -> Self::Plain {
+                #name::__of(__dimension)
+            }
+
+            #[inline(always)]
+            fn arguments(&self, __states: &#states, __inputs: &#inputs) -> #arguments { #all }
+
+            #[inline(always)]
+            fn prepare<const __FUSED: __p::bool>(
                 &self,
-                __chosen: &#runtime::Chosen,
-                __at: #float,
-            ) -> __p::Result<#assembly<#float>, #runtime::AssemblyError> {
-                let __modes = &__chosen.modes;
-                #modes
-                #assembled
+                __modes: &#modes,
+                __turns: &#runtime::RevolutionsOf<Self>,
+            ) -> #prepared {
+                let __m = self;
+                #prepare
             }
 
-            #[inline]
-            fn check(&self, __at: #float) -> __p::Result<(), #runtime::AssemblyError> {
-                self.assemblies_at(__at).map(|_| ())
+            fn gaps(__core: &#runtime::CoreOf<Self>, __x: #arguments) -> #as_ref<[T]> { #gaps }
+
+            fn directions(__core: &#runtime::CoreOf<Self>, __x: #arguments) -> #as_ref<[[T; 2]]> {
+                #directions
+            }
+
+            fn bearings(&self, __modes: &#modes) -> #as_ref<[[T; 2]]> {
+                const __FUSED: __p::bool = #runtime::FUSED;
+                let __m = self;
+                #bearings
             }
         }
+    }
+}
+
+/// A program over inputs, states and what is prepared, by the instructions of the build.
+pub(super) fn over_core(
+    outline: &Outline,
+    of_core: &Program,
+    outputs: fn(&Program) -> TokenStream,
+) -> TokenStream {
+    let runtime = &outline.runtime;
+    let program = program(outline, of_core, outputs);
+    quote! {
+        const __FUSED: __p::bool = #runtime::FUSED;
+        let (__m, __modes, __prepared) = __core.loaded();
+        #program
+    }
+}
+
+/// A program over all inputs and states of the mechanism, ending in its outputs.
+pub(super) fn program(
+    outline: &Outline,
+    program: &Program,
+    outputs: fn(&Program) -> TokenStream,
+) -> TokenStream {
+    let places = Places::all(outline);
+    let statements = body::statements(program, Runs::Once, &loader(outline, &places));
+    let outputs = outputs(program);
+    quote!(#statements #outputs)
+}
+
+/// The literal of the runtime's `Description`.
+fn description(outline: &Outline, unit: &CompiledMechanism) -> TokenStream {
+    let Outline { runtime, name, .. } = outline;
+    let title = outline.title();
+    let constants = quote!(#name::<__p::f64>);
+    let needed = unit.groups.iter().flat_map(|group| &group.parameters);
+    let needed = needed.map(|&index| literal::index(index));
+    let units = unit.groups.iter().map(|group| &group.gap_unit);
+    let modes = outline.default_modes();
+    let angles = unit.angles.iter().map(|one| angle(outline, unit, one));
+    quote! {
+        #runtime::Description {
+            name: #title,
+            inputs: #constants::INPUTS,
+            parameters: #constants::PARAMETERS,
+            groups: #constants::STRUCTURE.groups,
+            needed: &[#(#needed),*],
+            gap_units: &[#(#units),*],
+            modes: &#modes,
+            angles: &[#(#angles),*],
+        }
+    }
+}
+
+/// The runtime's `Angle`: which angle, and along which inputs it is followed.
+fn angle(outline: &Outline, unit: &CompiledMechanism, angle: &ContinuousAngle) -> TokenStream {
+    let runtime = &outline.runtime;
+    let unknown = &unit.unknowns[angle.unknown].name;
+    let estimate = literal::float(angle.estimate);
+    let along = angle.inputs.iter().map(|&input| {
+        let (low, high) = unit.inputs[input].followed;
+        let (low, high) = (literal::float(low), literal::float(high));
+        let rates = unit.inputs[input]
+            .rates
+            .iter()
+            .map(|rate| literal::float(*rate));
+        let input = literal::index(input);
+        quote!(#runtime::Along { input: #input, low: #low, high: #high, rates: &[#(#rates),*] })
+    });
+    let phases = angle.phases.iter().map(|phase| match &phase.turns {
+        Some(turns) => {
+            let turns = turns.iter().map(|turns| literal::float(*turns));
+            quote!(__p::Some(&[#(#turns),*]))
+        }
+        None => quote!(__p::None),
+    });
+    quote! {
+        #runtime::Angle { unknown: #unknown, estimate: #estimate, along: &[#(#along),*], phases: &[#(#phases),*] }
     }
 }

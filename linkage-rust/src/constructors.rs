@@ -3,7 +3,6 @@
 use proc_macro2::TokenStream;
 use quote::quote;
 
-use super::literal;
 use super::outline::{Outline, plain};
 use linkage_language::model::Sweep;
 use linkage_language::syntax::Word;
@@ -18,7 +17,7 @@ fn aliases(outline: &Outline) -> Vec<String> {
     functions.filter(|name| name != "assemble").collect()
 }
 
-/// `assemble`, `assemblies`, `assemblies_at`.
+/// `assemble`, `assemblies`, `assemblies_at`, `assemble_from`.
 pub(super) fn items(outline: &Outline) -> TokenStream {
     let Outline {
         runtime,
@@ -26,30 +25,12 @@ pub(super) fn items(outline: &Outline) -> TokenStream {
         assembly,
         ..
     } = outline;
-    let modes = outline.default_modes();
-    let references: Vec<_> = outline
-        .inputs
-        .iter()
-        .map(|input| {
-            let reference = literal::float(input.reference);
-            quote!(T::from_f64(#reference))
-        })
-        .collect();
-    let explained = |result: TokenStream| explained(outline, &result);
-    let assemble = explained(quote!(#assembly::__assemble(self, #modes, [#(#references),*])));
-    let assemble = outline.body(assemble);
-    let enumerate = |at: TokenStream| {
-        let title = outline.title();
-        let all = match outline.starts.is_empty() {
-            true => quote! {
-                #assembly::__assemble(self, __modes, #at).map(|__assembly| #runtime::one(__assembly))
-            },
-            false => quote!(#assembly::__assemblies(self, __modes, #at)),
-        };
-        let all = quote!(#runtime::assemblies(#title, #modes, |__modes| #all));
-        outline.body(explained(all))
-    };
-    let assemblies = enumerate(quote!([#(#references),*]));
+    let assemble = outline.body(match outline.starts.is_empty() {
+        true => quote!(#runtime::assemble(self)),
+        false => quote!(#runtime::assemble_coupled(self)),
+    });
+    let assemblies = outline.body(quote!(#runtime::assemblies(self)));
+    let from = outline.body(quote!(#runtime::assemble_from(self, __assembly)));
     let error = quote!(#runtime::AssemblyError);
     let list = quote!(__p::Result<#runtime::Vec<#assembly<T>>, #error>);
     let from_estimates = outline.starts.iter().any(|start| start.followed);
@@ -60,7 +41,7 @@ pub(super) fn items(outline: &Outline) -> TokenStream {
     });
     let at = (!outline.inputs.is_empty()).then(|| {
         let names: Vec<_> = outline.inputs.iter().map(|input| input.name).collect();
-        let body = enumerate(quote!([#(#names),*]));
+        let body = outline.body(quote!(#runtime::assemblies_at(self, &[#(#names),*])));
         quote! {
             /// Every real assembly at the given inputs, each ready to evaluate; the one that the start estimates
             /// choose comes first if it is real there.
@@ -97,17 +78,52 @@ pub(super) fn items(outline: &Outline) -> TokenStream {
                 /// group without a closed form cannot be listed or followed.
                 pub fn assemblies(&self) -> #list { #assemblies }
                 #at
+
+                /// These dimensions in the assembly of a mechanism with others: it is followed along the straight way from those to these, at
+                /// the reference inputs, in steps too small to leave it. Each lane of `T` has a way of its own; it is followed in `f64`, on
+                /// real parts, and the assembly has the digits and derivatives of `T` as one from `assemble()` has.
+                ///
+                /// # Errors
+                ///
+                /// `Blocked` where the assembly ends on the way, in one lane at least; what `assemble()` says of these dimensions.
+                pub fn assemble_from(
+                    &self,
+                    __assembly: &#assembly<T>,
+                ) -> __p::Result<#assembly<T>, #error> { #from }
             }
         }
     }
 }
 
-/// A result of assembling, in which an error about a dimension names the dimension as its cause.
-pub(super) fn explained(outline: &Outline, result: &TokenStream) -> TokenStream {
-    let Outline { runtime, name, .. } = outline;
+/// `circuits()`; nothing for a mechanism without groups or with another number of inputs than one.
+pub(super) fn circuits(outline: &Outline) -> TokenStream {
+    let Outline {
+        runtime,
+        name,
+        assembly,
+        ..
+    } = outline;
+    if outline.inputs.len() != 1 {
+        return TokenStream::new();
+    }
+    let float = quote!(__p::f64);
+    let body = outline.body(quote!(#runtime::circuits_of(self)));
     quote! {
-        #runtime::explained(
-            #result, #name::<__p::f64>::PARAMETERS, || self.__values(),
-        )
+        #runtime::if_alloc! {
+            impl #name<#float> {
+                /// Every assembly over the range of the input (a turn about the reference where an angle has none): how far each
+                /// reaches, its turning points, and where its margin is smallest.
+                ///
+                /// # Errors
+                ///
+                /// As `assemblies()`, if it fails at every position.
+                #[inline]
+                pub fn circuits(&self) -> __p::Result<
+                    #runtime::Circuits<#assembly<#float>>, #runtime::AssemblyError,
+                > {
+                    #body
+                }
+            }
+        }
     }
 }

@@ -1,11 +1,9 @@
 //! The additions to an assembly with coupled groups: prepared starts, the arguments that they add
 //! to programs, and the programs that prepare them.
 
-mod assemble;
 mod description;
 mod look_up;
 mod moving;
-mod preparing;
 mod states;
 
 use linkage_symbolic::program::Program;
@@ -14,14 +12,11 @@ use quote::{format_ident, quote};
 
 use look_up::look_up;
 
-use super::array_types::{Types, start_type, starts_type};
-use super::body::Runs;
-use super::load::{Places, loader};
+use super::array_types::{Types, starts_type};
+use super::load::Places;
 use super::outline::Outline;
-use super::{assembly_data, body, literal};
+use super::{assembly_data, body, compiled, literal};
 use linkage_compiler::ir::CompiledMechanism;
-
-pub(super) use assemble::assemble;
 
 /// `served()`; nothing where no group is prepared over several inputs.
 pub(super) fn served(outline: &Outline) -> TokenStream {
@@ -51,26 +46,20 @@ pub(super) fn items(outline: &Outline, unit: &CompiledMechanism) -> TokenStream 
     }
     let mut items = lookups(outline);
     items.extend(programs(outline, unit));
-    items.extend(preparing::items(outline, unit));
+    items.extend(groups(outline, unit));
     // Sets of dimensions need some.
     if !outline.parameters.is_empty() {
-        items.extend(moving::items(outline, unit));
+        items.extend(moving::items(outline));
     }
     items
 }
 
-/// Conversions from the starts of the lanes to those of the assembly, and from inputs to arguments.
+/// The conversion from inputs to arguments, and the states that functions start from.
 fn lookups(outline: &Outline) -> TokenStream {
     let Outline {
         runtime, assembly, ..
     } = outline;
     let starts = starts_type(outline);
-    let count = literal::index(outline.starts.len());
-    let made = outline.starts.iter().enumerate().map(|(number, start)| {
-        let number = literal::index(number);
-        let ty = start_type(outline, start);
-        quote!(<#ty>::of::<T>(|__lane| &__lanes[__lane][#number]))
-    });
     let together = extend(outline);
     let inputs = literal::index(outline.inputs.len());
     let width = literal::index(Places::all(outline).width());
@@ -80,8 +69,6 @@ fn lookups(outline: &Outline) -> TokenStream {
         .map(|function| states::items(outline, function));
     quote! {
         impl<T: #runtime::Scalar> #assembly<T> {
-            fn __starts(__lanes: &[[#runtime::Start; #count]]) -> #starts { (#(#made,)*) }
-
             #[inline(always)]
             fn __extend(__starts: &#starts, __x: [T; #inputs]) -> [T; #width] { #together }
         }
@@ -117,12 +104,10 @@ fn programs(outline: &Outline, unit: &CompiledMechanism) -> TokenStream {
         arguments,
         prepared,
         ..
-    } = Types::new(outline, unit);
-    let places = Places::all(outline);
+    } = Types::new(outline);
     let program = |kind: &str, number: usize, program: &Program| {
         let method = format_ident!("__{kind}{number}");
-        let statements = body::statements(program, Runs::Once, &loader(outline, &places));
-        let outputs = body::outputs(program);
+        let body = compiled::program(outline, program, body::outputs);
         let count = literal::index(program.outputs.len());
         // Kernels of a mechanism that is followed run it over rows.
         let inline = (kind == "correct").then(|| quote!(#[inline(always)]));
@@ -133,7 +118,7 @@ fn programs(outline: &Outline, unit: &CompiledMechanism) -> TokenStream {
                 __modes: &#modes,
                 __prepared: &#prepared,
                 __x: #arguments,
-            ) -> [T; #count] { #statements #outputs }
+            ) -> [T; #count] { #body }
         }
     };
     let methods = unit.coupled.iter().enumerate().map(|(number, group)| {
@@ -152,5 +137,20 @@ fn programs(outline: &Outline, unit: &CompiledMechanism) -> TokenStream {
     });
     quote! {
         impl<T: #runtime::Scalar> #assembly<T> { #(#methods)* }
+    }
+}
+
+/// The descriptions of the groups.
+fn groups(outline: &Outline, unit: &CompiledMechanism) -> TokenStream {
+    let Outline {
+        runtime, assembly, ..
+    } = outline;
+    let count = literal::index(unit.coupled.len());
+    let groups = unit.coupled.iter();
+    let groups = groups.map(|group| description::literal(outline, unit, group));
+    quote! {
+        impl #assembly<__p::f64> {
+            const __GROUPS: [#runtime::CoupledGroup; #count] = [#(#groups),*];
+        }
     }
 }

@@ -3,19 +3,15 @@
 use proc_macro2::TokenStream;
 use quote::quote;
 
+use super::literal;
 use super::outline::Outline;
-use super::{literal, mechanism};
 
 /// The trait `Dimensions`.
 pub(super) fn items(outline: &Outline) -> TokenStream {
     let Outline { runtime, name, .. } = outline;
     let fields = outline.scalar_fields();
     let count = literal::index(fields.len());
-    let mut scalars = (0..fields.len()).map(|index| {
-        let index = literal::index(index);
-        quote!(__values[#index])
-    });
-    let from_values = outline.body(mechanism::from_scalars(outline, &mut scalars));
+    let from_values = outline.body(quote!(Self::__of(|__k| __values[__k])));
     let values = outline.body(quote!([#(self.#fields),*]));
     let of_trait = outline.body(quote!(self.__values()));
     quote! {

@@ -225,12 +225,12 @@ fn single(outline: &Outline, unit: &CompiledMechanism) -> TokenStream {
         let first = literal::index(places.state(number, 0));
         quote! {
             #pattern => #runtime::put_corrected(__x, #first, &#assembly::#method::<__FUSED>(
-                &__core.__mechanism, &__core.__modes, &__core.__prepared, *__x,
+                &__core.dimensions, &__core.modes, &__core.prepared, *__x,
             )),
         }
     });
     let core = assembly_data::core(outline, &quote!(__assembly));
-    let arguments = Types::new(outline, unit).arguments;
+    let arguments = Types::new(outline).arguments;
     quote! {
         impl<'a, T: #runtime::Scalar> #follower<'a, T> {
             const __STANDING: &'static [#runtime::Standing] = &[#(#standing),*];

@@ -7,9 +7,9 @@ use quote::quote;
 use crate::outline::{Function, Outline};
 use crate::stages::Version;
 use crate::{
-    assembly, attribute, block, circuits, columns, compiled, coupled, debug, dimension_path,
-    dimensions, evaluator, follower, kernels, mechanism, picture, range_check, result_module,
-    stages, structure, survey, sweeps, table, winding,
+    assembly, attribute, block, columns, compiled, constructors, coupled, debug, dimensions,
+    evaluator, follower, grouped, kernels, mechanism, picture, range_check, result_module, stages,
+    structure, sweeps, table,
 };
 use linkage_compiler::ir::{self, CompiledMechanism};
 use linkage_language::syntax::MechanismDef;
@@ -36,14 +36,13 @@ pub(crate) fn emit(
     }
     code.extend(dimensions::items(&outline));
     let mut assembled = assembly::items(&outline);
-    assembled.extend(assembly::plumbing(&outline, unit));
-    assembled.extend(coupled::items(&outline, unit));
-    assembled.extend(winding::items(&outline, unit));
-    assembled.extend(survey::items(&outline, unit));
     assembled.extend(compiled::items(&outline, unit));
-    assembled.extend(circuits::items(&outline, unit));
-    assembled.extend(range_check::items(&outline, unit));
-    assembled.extend(dimension_path::items(&outline, unit));
+    assembled.extend(grouped::items(&outline, unit));
+    assembled.extend(coupled::items(&outline, unit));
+    if !unit.groups.is_empty() {
+        assembled.extend(constructors::circuits(&outline));
+        assembled.extend(range_check::items(&outline));
+    }
     assembled.extend(follower::items(&outline, unit));
     for (function, compiled) in outline.functions.iter().zip(&unit.functions) {
         assembled.extend(self::function(&outline, function, compiled, &unit.prepare));

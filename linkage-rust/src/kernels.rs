@@ -6,6 +6,7 @@ use linkage_symbolic::program::Program;
 use proc_macro2::TokenStream;
 use quote::quote;
 
+use super::array_types::Types;
 use super::load::Places;
 use super::outline::{Function, Outline};
 use super::slots::Slots;
@@ -23,24 +24,17 @@ pub(super) fn items(
     if function.arguments.is_empty() || outline.parameters.is_empty() {
         return TokenStream::new();
     }
-    let Outline {
-        runtime,
-        name,
-        core,
-        ..
-    } = outline;
+    let Outline { runtime, name, .. } = outline;
     let everywhere = &attribute::split(function.attributes).everywhere;
     let marker = stages::name(outline, function, Version::refining(function));
     let slots = Slots::for_stages(stages, prepare);
-    let prepare = (slots.count() > 0).then(|| {
-        let prepare = slots.prepare(outline);
-        quote! {
-            let #core { __modes, __turns, .. } = __core;
-            let __mechanism = #name::__of_row(__dimensions);
-            #prepare
-        }
-    });
+    let prepare = (slots.count() > 0).then(|| slots.prepare(outline));
     let prepared = slots.all(outline);
+    let Types {
+        modes,
+        prepared: all_prepared,
+        ..
+    } = Types::new(outline);
     let count = literal::index(slots.count());
     let dimensions = outline.scalar_fields().len();
     let arguments = Places::of_function(outline, function).width();
@@ -49,28 +43,21 @@ pub(super) fn items(
     quote! {
         #runtime::if_alloc! {
             #(#everywhere)*
-            impl<T: #runtime::Scalar> #runtime::SetStages<T, #core<T>, #(#widths),*> for #marker {
+            impl<T: #runtime::Scalar> #runtime::SetStages<#name<T>, #(#widths),*> for #marker {
                 type Prepared<const __BLOCK: __p::usize> = #runtime::Block<T, __BLOCK, #count>;
 
                 #[inline(always)]
                 fn prepare<const __FUSED: __p::bool>(
-                    __core: &#core<T>,
-                    __dimensions: &impl #runtime::RowNumbers<T>,
+                    __m: &#name<T>,
+                    __modes: &#modes,
+                    __turns: &#runtime::RevolutionsOf<#name<T>>,
                     __slots: &mut impl #runtime::RowNumbersMut<T>,
                 ) { #prepare }
 
                 #[inline(always)]
-                fn core(
-                    __core: &#core<T>,
-                    __dimensions: &impl #runtime::RowNumbers<T>,
-                    __slots: &impl #runtime::RowNumbers<T>,
-                ) -> #core<T> {
+                fn prepared(__slots: &impl #runtime::RowNumbers<T>) -> #all_prepared {
                     let __zero = T::from_f64(0.0);
-                    #core {
-                        __mechanism: #name::__of_row(__dimensions),
-                        __prepared: #prepared,
-                        ..*__core
-                    }
+                    #prepared
                 }
             }
         }

@@ -100,17 +100,7 @@ fn parameter_notes(outline: &Outline, parameter: &Parameter) -> [String; 2] {
 
 fn default(outline: &Outline) -> TokenStream {
     let name = outline.name;
-    let fields = outline.parameters.iter().map(|parameter| {
-        let name = &parameter.name;
-        let mut numbers = parameter
-            .components
-            .iter()
-            .map(|c| literal::float(c.nominal));
-        let value = outline.field_value(&parameter.shape, &mut numbers);
-        quote!(#name: #value,)
-    });
-    let marker = outline.parameters.is_empty().then(marker_value);
-    let body = outline.body(quote!(Self { #(#fields)* #marker }));
+    let body = outline.body(quote!(Self::__of(|__k| Self::PARAMETERS[__k].nominal)));
     quote! {
         #[automatically_derived]
         impl ::core::default::Default for #name<__p::f64> {
@@ -124,16 +114,15 @@ fn conversions(outline: &Outline) -> TokenStream {
     let Outline { runtime, name, .. } = outline;
     // A mechanism may be called as the type parameter usually is.
     let other = format_ident!("{}", if *name == "U" { "V" } else { "U" });
-    let cast = convert(
-        outline,
-        &|field| quote!(<#other as #runtime::Scalar>::from_f64(self.#field)),
-    );
-    let lane = convert(outline, &|field| quote!(T::lane(self.#field, __lane)));
     let mut scalars = (0..outline.scalar_fields().len()).map(|index| {
         let index = literal::index(index);
-        quote!(__row.number(#index))
+        quote!(__number(#index))
     });
-    let of_row = outline.body(from_scalars(outline, &mut scalars));
+    let of_numbers = outline.body(from_scalars(outline, &mut scalars));
+    let cast = outline.body(quote! {
+        let __values = self.__values();
+        #name::__of(|__k| <#other as #runtime::Scalar>::from_f64(__values[__k]))
+    });
     quote! {
         impl #name<__p::f64> {
             /// The same dimensions in another scalar type: single precision, lanes, dual numbers.
@@ -141,31 +130,15 @@ fn conversions(outline: &Outline) -> TokenStream {
             pub fn cast<#other: #runtime::Scalar>(&self) -> #name<#other> { #cast }
         }
         impl<T: #runtime::Scalar> #name<T> {
-            /// The dimensions of one lane.
-            fn __lane(&self, __lane: __p::usize) -> #name<__p::f64> { #lane }
-        }
-        // For sweeps over mechanisms.
-        #runtime::if_alloc! {
-            impl<T: #runtime::Scalar> #name<T> {
-                /// The dimensions, which are the first numbers of a row.
-                #[inline(always)]
-                fn __of_row(__row: &impl #runtime::RowNumbers<T>) -> Self { #of_row }
-            }
+            /// The dimensions, each by its index in `PARAMETERS`.
+            #[inline(always)]
+            fn __of(__number: impl #runtime::Fn(__p::usize) -> T) -> Self { #of_numbers }
         }
     }
 }
 
-/// The struct again with each scalar `field` converted.
-fn convert(outline: &Outline, scalar: &dyn Fn(&TokenStream) -> TokenStream) -> TokenStream {
-    let scalars: Vec<_> = outline.scalar_fields().iter().map(scalar).collect();
-    outline.body(from_scalars(outline, &mut scalars.into_iter()))
-}
-
 /// The struct of the given scalars, in order.
-pub(super) fn from_scalars(
-    outline: &Outline,
-    scalars: &mut dyn Iterator<Item = TokenStream>,
-) -> TokenStream {
+fn from_scalars(outline: &Outline, scalars: &mut dyn Iterator<Item = TokenStream>) -> TokenStream {
     let name = outline.name;
     let fields = outline.parameters.iter().map(|parameter| {
         let name = &parameter.name;

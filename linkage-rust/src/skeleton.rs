@@ -12,8 +12,8 @@ use quote::format_ident;
 use super::outline::{self, Component, Field, Function, Input, Outline, Parameter, params, plain};
 use crate::items::{results, types};
 use crate::{
-    assembly, block, circuits, dimension_path, dimensions, follower, guess::Guess, mechanism,
-    picture, range_check, structure, table,
+    assembly, block, constructors, dimensions, follower, guess::Guess, mechanism, picture,
+    range_check, structure, table,
 };
 use linkage_compiler::ir::Picture;
 use linkage_language::model::{
@@ -42,14 +42,11 @@ pub(crate) fn skeleton(
     code.extend(dimensions::items(&outline));
     code.extend(assembly::items(&outline));
     let has_loop = def.items.iter().any(|item| matches!(item, Item::Loop(_)));
-    if has_loop && outline.inputs.len() == 1 {
-        code.extend(circuits::skeleton(&outline));
-    }
     if has_loop {
+        code.extend(constructors::circuits(&outline));
         code.extend(follower::skeleton(&outline));
-        code.extend(range_check::skeleton(&outline));
+        code.extend(range_check::items(&outline));
     }
-    code.extend(dimension_path::skeleton(&outline));
     for function in &outline.functions {
         code.extend(results(&outline, function));
         code.extend(table::items(&outline, function, &[]));

@@ -50,9 +50,9 @@ impl Slots {
         self.used.len()
     }
 
-    /// Stores them in the row `__slots` for its `__mechanism`, by `__modes` and `__turns`.
+    /// Stores them in the row `__slots` for its dimensions `__m`, by `__modes` and `__turns`.
     pub(super) fn prepare(&self, outline: &Outline) -> TokenStream {
-        let assembly = &outline.assembly;
+        let runtime = &outline.runtime;
         let stores = self.used.iter().enumerate().map(|(index, &slot)| {
             let index = literal::index(index);
             let value = entry("__value", slot);
@@ -65,8 +65,7 @@ impl Slots {
                 let statements = body::statements(program, Runs::Once, &loader(outline, &places));
                 let outputs = body::outputs(program);
                 quote! {
-                    let __m = &__mechanism;
-                    let [#(#values),*] = { #statements #outputs };
+                                        let [#(#values),*] = { #statements #outputs };
                 }
             }
             None => {
@@ -75,7 +74,7 @@ impl Slots {
                     None => quote!(_),
                 });
                 quote! {
-                    let [#(#values),*] = #assembly::__prepare::<__FUSED>(&__mechanism, __modes, __turns);
+                    let [#(#values),*] = #runtime::Compiled::prepare::<__FUSED>(__m, __modes, __turns);
                 }
             }
         };

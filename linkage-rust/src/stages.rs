@@ -160,7 +160,7 @@ impl Staged<'_> {
                     __core: &#core<T>,
                     __row: &mut impl #runtime::StageRow<T>,
                 ) {
-                    let #core { __mechanism: __m, __modes, __prepared, .. } = __core;
+                    let (__m, __modes, __prepared) = __core.loaded();
                     #(#read)*
                     #(#take)*
                     #statements

@@ -108,7 +108,7 @@ impl Sweeps<'_> {
         let ty = result_module::columns(self.outline, self.function);
         let (columns, sets) = (&self.columns, &self.sets);
         let inputs = quote!(&self, #sets: &[#mechanism<T>], #(#arguments: &[T]),*);
-        let given = quote!(&self.__sealed, #sets, #mechanism::__values, [#(#arguments),*]);
+        let given = quote!(&self.__sealed, #sets, [#(#arguments),*]);
         let [owned, into, parallel_into] = match self.function.states.is_empty() {
             true => [
                 quote!(#runtime::sweep_sets),

@@ -4,18 +4,60 @@ use linkage_compiler::ir::{
     CompiledMechanism, Coupled, Function, Meaning, Picture, ShownNumber, plain,
 };
 use linkage_runtime::support::{
-    self, Along, Angle, CoupledGroup, CoupledInput, CoupledLoop, CoupledUnknown, Range,
-    SurveyedUnknown, Term,
+    self, Along, Angle, CoupledGroup, CoupledInput, CoupledLoop, CoupledUnknown, Description,
+    GroupData, Range, SurveyedUnknown, Term,
 };
 use linkage_runtime::{
-    Axis, Column, FunctionInfo, Group, Guide, Heading, Input, Operations, Parameter,
+    AssemblyMode, Axis, Column, FunctionInfo, Group, Guide, Heading, Input, Operations, Parameter,
     PictureColumns, PictureJoint, PictureLink, PicturePart, PicturePoint, Structure,
 };
 use linkage_symbolic::count::Count;
 
 use super::forever::forever;
 
-pub(super) fn inputs(unit: &CompiledMechanism) -> &'static [Input] {
+/// The data that its assembly needs.
+pub(super) fn description(
+    name: &'static str,
+    groups: &'static [Group],
+    unit: &CompiledMechanism,
+) -> &'static Description {
+    let needed = unit.groups.iter().flat_map(|group| &group.parameters);
+    let units = unit.groups.iter();
+    let units = units.map(|group| forever(group.gap_unit.as_str()));
+    let modes = unit.modes().into_iter().map(|plus| match plus {
+        true => AssemblyMode::Plus,
+        false => AssemblyMode::Minus,
+    });
+    forever(Description {
+        name,
+        inputs: inputs(unit),
+        parameters: parameters(unit),
+        groups,
+        needed: forever(needed.copied().collect::<Vec<_>>()),
+        gap_units: forever(units.collect::<Vec<_>>()),
+        modes: forever(modes.collect::<Vec<_>>()),
+        angles: angles(unit),
+    })
+}
+
+/// The data that searches for its assemblies need.
+pub(super) fn group_data(name: &'static str, unit: &CompiledMechanism) -> &'static GroupData {
+    let slacks = unit.groups.iter().map(|group| group.slack);
+    forever(GroupData {
+        levels: forever(unit.levels()),
+        slacks: forever(slacks.collect::<Vec<_>>()),
+        coupled: groups(name, unit),
+        surveying: unit.surveying,
+        unknowns: surveyed(unit),
+        repeats: unit.repeats(),
+        cycle: match &unit.inputs[..] {
+            [input] => Some(input.cycle()),
+            _ => None,
+        },
+    })
+}
+
+fn inputs(unit: &CompiledMechanism) -> &'static [Input] {
     let inputs = unit.inputs.iter().map(|input| Input {
         name: forever(plain(&input.name)),
         unit: forever(input.unit.as_str()),
@@ -25,7 +67,7 @@ pub(super) fn inputs(unit: &CompiledMechanism) -> &'static [Input] {
     forever(inputs.collect::<Vec<_>>())
 }
 
-pub(super) fn parameters(unit: &CompiledMechanism) -> &'static [Parameter] {
+fn parameters(unit: &CompiledMechanism) -> &'static [Parameter] {
     let parameters = unit.scalars().map(|scalar| Parameter {
         name: forever(scalar.name.as_str()),
         unit: forever(scalar.unit.as_str()),
@@ -149,7 +191,7 @@ fn picture(drawn: &Picture) -> &'static linkage_runtime::Picture {
     })
 }
 
-pub(super) fn angles(unit: &CompiledMechanism) -> Vec<Angle<Vec<f64>>> {
+fn angles(unit: &CompiledMechanism) -> &'static [Angle] {
     let angle = |angle_of_unit: &linkage_compiler::ir::ContinuousAngle| {
         let along = angle_of_unit.inputs.iter().map(|&input| {
             let (low, high) = unit.inputs[input].followed;
@@ -160,7 +202,8 @@ pub(super) fn angles(unit: &CompiledMechanism) -> Vec<Angle<Vec<f64>>> {
                 rates: forever(unit.inputs[input].rates.as_slice()),
             }
         });
-        let phases = angle_of_unit.phases.iter().map(|phase| phase.turns.clone());
+        let phases = angle_of_unit.phases.iter();
+        let phases = phases.map(|phase| phase.turns.as_deref().map(forever));
         Angle {
             unknown: forever(unit.unknowns[angle_of_unit.unknown].name.as_str()),
             estimate: angle_of_unit.estimate,
@@ -168,10 +211,10 @@ pub(super) fn angles(unit: &CompiledMechanism) -> Vec<Angle<Vec<f64>>> {
             phases: forever(phases.collect::<Vec<_>>()),
         }
     };
-    unit.angles.iter().map(angle).collect()
+    forever(unit.angles.iter().map(angle).collect::<Vec<_>>())
 }
 
-pub(super) fn groups(mechanism: &'static str, unit: &CompiledMechanism) -> &'static [CoupledGroup] {
+fn groups(mechanism: &'static str, unit: &CompiledMechanism) -> &'static [CoupledGroup] {
     let groups = unit.coupled.iter();
     let groups = groups.map(|coupled| group(mechanism, unit, coupled));
     forever(groups.collect::<Vec<_>>())
@@ -226,11 +269,13 @@ fn group(mechanism: &'static str, unit: &CompiledMechanism, coupled: &Coupled) -
         missed: forever(missed.collect::<Vec<_>>()),
         inputs: forever(inputs.collect::<Vec<_>>()),
         in_cells: coupled.in_cells,
+        reach: coupled.reach,
+        turning: coupled.turning,
     }
 }
 
 /// The unknowns in the order of their numbers in a survey.
-pub(super) fn surveyed(unit: &CompiledMechanism) -> &'static [SurveyedUnknown] {
+fn surveyed(unit: &CompiledMechanism) -> &'static [SurveyedUnknown] {
     let unknowns = unit.surveyed.iter().map(|surveyed| {
         let unknown = &unit.unknowns[surveyed.unknown];
         SurveyedUnknown {

@@ -4,7 +4,7 @@ use linkage_compiler::ir::Function;
 use linkage_symbolic::blocks::{BLOCK, Rows};
 use linkage_symbolic::program::Source;
 
-use crate::assembled::Assembly;
+use crate::compiled::Assembly;
 
 /// The numbers at the positions of a sweep: slices with one for each position, or one for all.
 #[derive(Clone, Debug)]

@@ -3,24 +3,9 @@
 
 use crate::data::AssemblyMode;
 use crate::error::AssemblyError;
-use crate::support::{CoupledGroup, CoupledPrograms, InitialState};
-use alloc::boxed::Box;
+use crate::support::{Bounds, CoupledGroup, CoupledPrograms, InitialState, SurveyedUnknown};
 use alloc::vec::Vec;
-use linkage_core::numeric::continuation::{Correction, Residuals, Step};
-use linkage_core::{Enclosure, Level};
-
-/// An unknown whose numbers are surveyed.
-#[derive(Clone, Copy, Debug)]
-pub struct SurveyedUnknown {
-    /// Its name.
-    pub name: &'static str,
-    /// Unit of a length; empty for a number.
-    pub unit: &'static str,
-    /// True for an angle: its numbers are cosine and sine.
-    pub angle: bool,
-    /// The number of its numbers.
-    pub numbers: usize,
-}
+use linkage_core::Level;
 
 /// The assemblies that have been chosen for the first groups.
 #[derive(Clone, Debug)]
@@ -49,9 +34,6 @@ pub struct Searched {
     /// The number of coupled groups.
     pub coupled: usize,
 }
-
-/// Bounds of a number as a function of the inputs.
-pub type Bounds<'a> = Box<dyn Fn(Enclosure) -> Enclosure + 'a>;
 
 /// A mechanism with one input.
 pub trait Levels {
@@ -96,27 +78,5 @@ pub trait Levels {
         _at: f64,
     ) -> Option<Result<(&'static CoupledGroup, Self::Programs), AssemblyError>> {
         None
-    }
-}
-
-/// The programs of mechanisms without coupled groups: there are none.
-#[derive(Clone, Copy, Debug)]
-pub enum NoPrograms {}
-
-impl Correction for NoPrograms {
-    fn correct(&mut self, _x: &[f64], _state: &mut [f64]) -> Step {
-        match *self {}
-    }
-}
-
-impl Residuals for NoPrograms {}
-
-impl CoupledPrograms for NoPrograms {
-    fn system(&mut self, _x: &[f64]) -> Vec<[f64; 2]> {
-        match *self {}
-    }
-
-    fn placed(&mut self, _x: &[f64], _state: &[f64]) -> Vec<[f64; 2]> {
-        match *self {}
     }
 }

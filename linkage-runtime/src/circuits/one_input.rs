@@ -1,90 +1,88 @@
-//! The circuits of a generated mechanism.
-
-use linkage_core::Cycle;
+//! The circuits of a mechanism with one input.
 
 use super::branch::Circuits;
 use super::find::circuits;
-use super::levels::{Bounds, Chosen, Levels, Searched, SurveyedUnknown};
+use super::levels::{Chosen, Levels, Searched};
+use crate::data::AssemblyMode;
 use crate::error::AssemblyError;
-use crate::support::{Compiled, CoupledParts};
+use crate::support::{
+    AssemblyData, Bounds, CoupledParts, GroupPrograms, List, PlainGroups, assemblies_at, surveyor,
+    with_lanes,
+};
 
-/// A mechanism with one input, whose circuits are searched.
-pub trait OneInput<const P: usize>: Compiled<P, 1> {
-    /// The unknowns in the order of their numbers in a survey.
-    const UNKNOWNS: &'static [SurveyedUnknown];
-    /// The number of groups with modes, and that of coupled groups.
-    const COUNTS: [usize; 2];
-
-    /// Bounds of a number of the survey over inputs. Those of groups after a coupled one are not
-    /// known.
-    fn bounds(assembly: &Self::Assembly, number: usize) -> Bounds<'static>;
-
-    /// The assembly in which all groups are chosen.
-    ///
-    /// # Errors
-    ///
-    /// If it does not close at that input, or its angles cannot be followed.
-    fn assembled(&self, chosen: &Chosen, at: f64) -> Result<Self::Assembly, AssemblyError>;
-
-    /// Checks that some assembly exists at an input.
-    ///
-    /// # Errors
-    ///
-    /// As `assemblies()`.
-    fn check(&self, at: f64) -> Result<(), AssemblyError>;
-}
-
-/// Every assembly over the range of the input.
+/// Every assembly over the range of the only input.
 ///
 /// # Errors
 ///
 /// As `assemblies()`, if it fails at every position.
-pub fn circuits_of<M: OneInput<P>, const P: usize>(
-    mechanism: &M,
-    cycle: &Cycle,
-) -> Result<Circuits<M::Assembly>, AssemblyError> {
-    circuits(&CircuitLevels(mechanism), cycle)
+///
+/// # Panics
+///
+/// If the mechanism has another number of inputs.
+pub fn circuits_of<C: PlainGroups>(mechanism: &C) -> Result<Circuits<C::Assembly>, AssemblyError> {
+    let cycle = mechanism.group_data().cycle.as_ref();
+    circuits(&CircuitLevels(mechanism), cycle.expect("one input"))
 }
 
 /// A mechanism as the search for circuits sees it.
-struct CircuitLevels<'a, M, const P: usize>(&'a M);
+struct CircuitLevels<'a, C>(&'a C);
 
-impl<M: OneInput<P>, const P: usize> Levels for CircuitLevels<'_, M, P> {
-    type Assembly = M::Assembly;
-    type Survey = M::Survey;
-    type Programs = M::Programs;
+impl<C: PlainGroups> CircuitLevels<'_, C> {
+    /// Modes and initial states in the lists of the mechanism.
+    fn lists(chosen: &Chosen) -> (C::Modes, C::Lane) {
+        let Chosen { modes, starts } = chosen;
+        let modes = List::<AssemblyMode>::list(modes.len(), |k| modes[k]);
+        (modes, List::list(starts.len(), |k| starts[k].clone()))
+    }
+
+    fn inputs(at: f64) -> C::Inputs {
+        List::list(1, |_| at)
+    }
+}
+
+impl<C: PlainGroups> Levels for CircuitLevels<'_, C> {
+    type Assembly = C::Assembly;
+    type Survey = C::Survey;
+    type Programs = GroupPrograms<C>;
 
     fn searched(&self) -> Searched {
-        let [modes, coupled] = M::COUNTS;
+        let (description, groups) = (self.0.description(), self.0.group_data());
         Searched {
-            name: M::NAME,
-            input: M::INPUTS[0].name,
-            reference: M::INPUTS[0].reference,
-            levels: M::LEVELS,
-            unknowns: M::UNKNOWNS,
-            modes,
-            coupled,
+            name: description.name,
+            input: description.inputs[0].name,
+            reference: description.inputs[0].reference,
+            levels: groups.levels,
+            unknowns: groups.unknowns,
+            modes: description.modes.len(),
+            coupled: groups.coupled.len(),
         }
     }
 
-    fn surveyor(&self, chosen: &Chosen, at: f64) -> M::Assembly {
-        self.0.surveyor(&chosen.modes, &chosen.starts, [at])
+    fn surveyor(&self, chosen: &Chosen, at: f64) -> C::Assembly {
+        let (modes, starts) = Self::lists(chosen);
+        let (core, states) = surveyor(self.0, &modes, &starts, &Self::inputs(at));
+        C::assembly(AssemblyData::new(core, states))
     }
 
-    fn survey(&self, assembly: &M::Assembly, at: f64) -> M::Survey {
-        M::survey(assembly, [at])
+    fn survey(&self, assembly: &C::Assembly, at: f64) -> C::Survey {
+        let data = C::data(assembly);
+        let x = self
+            .0
+            .arguments(AssemblyData::starts(data), &Self::inputs(at));
+        C::survey(AssemblyData::core(data), x)
     }
 
-    fn bounds(&self, assembly: &M::Assembly, number: usize) -> Option<Bounds<'_>> {
-        Some(M::bounds(assembly, number))
+    fn bounds(&self, assembly: &C::Assembly, number: usize) -> Option<Bounds<'_>> {
+        C::bounds(C::data(assembly), number)
     }
 
-    fn assembled(&self, chosen: &Chosen, at: f64) -> Result<M::Assembly, AssemblyError> {
-        self.0.assembled(chosen, at)
+    fn assembled(&self, chosen: &Chosen, at: f64) -> Result<C::Assembly, AssemblyError> {
+        let (modes, starts) = Self::lists(chosen);
+        with_lanes(self.0, modes, &Self::inputs(at), &[starts])
     }
 
     fn check(&self, at: f64) -> Result<(), AssemblyError> {
-        self.0.check(at)
+        assemblies_at(self.0, &Self::inputs(at)).map(|_| ())
     }
 
     fn coupled(
@@ -92,7 +90,13 @@ impl<M: OneInput<P>, const P: usize> Levels for CircuitLevels<'_, M, P> {
         chosen: &Chosen,
         number: usize,
         at: f64,
-    ) -> Option<CoupledParts<M::Programs>> {
-        self.0.coupled(&chosen.modes, &chosen.starts, number, [at])
+    ) -> Option<CoupledParts<GroupPrograms<C>>> {
+        if const { !C::COUPLED } {
+            return None;
+        }
+        let (modes, starts) = Self::lists(chosen);
+        let group = &self.0.group_data().coupled[number];
+        let programs = GroupPrograms::new(self.0, &modes, &Self::inputs(at), number, &starts);
+        Some(programs.map(|programs| (group, programs)))
     }
 }

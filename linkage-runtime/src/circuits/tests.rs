@@ -241,7 +241,7 @@ struct Gaps(&'static [[f64; 2]]);
 impl super::Levels for Gaps {
     type Assembly = ();
     type Survey = [f64; 1];
-    type Programs = super::NoPrograms;
+    type Programs = crate::support::NoPrograms;
 
     fn searched(&self) -> super::Searched {
         unreachable!("nothing is searched")

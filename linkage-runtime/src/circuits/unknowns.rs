@@ -1,7 +1,8 @@
 //! The unknowns of an assembly: their numbers, and whether two assemblies are in one place.
 
 use super::branch::Estimate;
-use super::levels::{Levels, SurveyedUnknown};
+use super::levels::Levels;
+use crate::support::SurveyedUnknown;
 use alloc::vec::Vec;
 use linkage_core::Scalar;
 

@@ -2,8 +2,32 @@
 
 use super::report::{RangeReport, Ranged};
 use super::search::RangeSearch;
+use crate::support::{AssemblyData, List, PlainGroups};
 use alloc::vec::Vec;
 use linkage_core::range_check::{Driven, Slack, checked};
+
+/// Searches the declared range of an assembly, with the criteria of the compiler.
+pub fn check_range_of<C: PlainGroups>(assembly: &C::Assembly) -> RangeReport {
+    let data = C::data(assembly);
+    let core = AssemblyData::core(data);
+    let (description, groups) = (core.dimensions.description(), core.dimensions.group_data());
+    let ranged = Ranged {
+        mechanism: description.name,
+        inputs: description.inputs,
+        groups: description.groups,
+        slacks: groups.slacks,
+        units: description.gap_units,
+        repeats: groups.repeats,
+    };
+    let arguments = |x: &[f64]| {
+        let inputs = C::Inputs::list(x.len(), |k| x[k]);
+        core.dimensions
+            .arguments(AssemblyData::starts(data), &inputs)
+    };
+    let survey = |x: &[f64]| C::survey(core, arguments(x)).as_ref().to_vec();
+    let gaps = |x: &[f64]| C::gaps(core, arguments(x)).as_ref().to_vec();
+    check_range(&ranged, &survey, &gaps)
+}
 
 /// Searches the declared range, with the criteria of the compiler. `survey` returns the least
 /// margin of all groups and the slack of each at given inputs, `gaps` by how much each group misses

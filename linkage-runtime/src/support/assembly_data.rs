@@ -31,3 +31,24 @@ impl<Core, Starts> AssemblyData<Core, Starts> {
         &data.starts
     }
 }
+
+/// Data that sweeps copy into their loops.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Core<D, M, R, P> {
+    /// The dimensions.
+    pub dimensions: D,
+    /// The mode of each group that has two.
+    pub modes: M,
+    /// The revolutions of the continuous angles.
+    pub revolutions: R,
+    /// The numbers that depend on all these alone.
+    pub prepared: P,
+}
+
+impl<D, M, R, P> Core<D, M, R, P> {
+    /// The dimensions, the modes and the prepared numbers, which programs load.
+    #[inline(always)]
+    pub const fn loaded(&self) -> (&D, &M, &P) {
+        (&self.dimensions, &self.modes, &self.prepared)
+    }
+}

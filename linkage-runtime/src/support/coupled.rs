@@ -17,11 +17,10 @@ pub use grid::CoupledGrid;
 pub use group::{CoupledGroup, CoupledInput, CoupledLoop, CoupledUnknown};
 pub use initial_state::InitialState;
 pub use lanes::Coupled;
-pub use outputs::{pairs, placed, put_state, stepped};
-pub use prepare::{
-    Wanted, Which, initial_states, initial_states_of, no_initial_states, prepared, prepared_over,
-    prepared_over_in,
-};
-pub use programs::CoupledPrograms;
+pub use outputs::pairs;
+pub(super) use outputs::{placed, stepped};
+pub(super) use prepare::prepared_over;
+pub use prepare::{Which, initial_states, prepared};
+pub use programs::{CoupledPrograms, NoPrograms};
 pub use solution::CoupledSolution;
 pub use solve::{list_solutions, nearest_solution};

@@ -4,7 +4,7 @@ use crate::triads::EyeNeedle;
 use linkage_runtime::numeric::continuation::{Correction, Range, Residuals, Step, Terms};
 use linkage_runtime::numeric::roots::{Term, Variable};
 use linkage_runtime::support::{
-    Coupled, CoupledGroup, CoupledInput, CoupledPrograms, CoupledUnknown, InitialState, Wanted,
+    Coupled, CoupledGroup, CoupledInput, CoupledPrograms, CoupledUnknown, InitialState, Which,
     initial_states, list_solutions, nearest_solution,
 };
 use linkage_runtime::{AssemblyError, CoupledCause, FUSED, Scalar};
@@ -67,6 +67,8 @@ const GROUP: CoupledGroup = CoupledGroup {
         },
     }],
     in_cells: Terms::Slopes,
+    reach: 1.0,
+    turning: 0,
 };
 
 struct Programs(EyeNeedle);
@@ -91,9 +93,13 @@ impl CoupledPrograms for Programs {
 
 /// The assembly nearest to the estimates, over the range.
 fn nearest(triad: EyeNeedle) -> Result<InitialState, AssemblyError> {
-    let all = initial_states(&[GROUP], &[0.0], Wanted::Nearest, |_, _| {
-        Ok(Programs(triad))
-    })?;
+    let all = initial_states(
+        &[GROUP],
+        [InitialState::Nothing],
+        &[0.0],
+        Which::Nearest,
+        |_, _| Ok(Programs(triad)),
+    )?;
     let [start] = all.into_iter().next().unwrap();
     Ok(start)
 }

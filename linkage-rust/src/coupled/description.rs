@@ -10,11 +10,7 @@ use crate::outline::Outline;
 use linkage_compiler::ir::{CompiledMechanism, Coupled, ShownNumber};
 
 /// The runtime's description of a group.
-pub(super) fn description(
-    outline: &Outline,
-    unit: &CompiledMechanism,
-    group: &Coupled,
-) -> TokenStream {
+pub(super) fn literal(outline: &Outline, unit: &CompiledMechanism, group: &Coupled) -> TokenStream {
     let runtime = &outline.runtime;
     let title = outline.title();
     let solved = &unit.groups[group.group];
@@ -62,6 +58,7 @@ pub(super) fn description(
             }
         }
     });
+    let (reach, turning) = (literal::float(group.reach), literal::index(group.turning));
     let in_cells = match group.in_cells {
         Terms::Slopes => quote!(Slopes),
         Terms::Polynomials => quote!(Polynomials),
@@ -79,6 +76,8 @@ pub(super) fn description(
             missed: &[#(#missed),*],
             inputs: &[#(#inputs),*],
             in_cells: #runtime::Terms::#in_cells,
+            reach: #reach,
+            turning: #turning,
         }
     }
 }

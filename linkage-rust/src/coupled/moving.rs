@@ -10,7 +10,6 @@ use crate::load::Places;
 use crate::outline::{Function, Outline};
 use crate::stages::Version;
 use crate::{attribute, literal, stages};
-use linkage_compiler::ir::CompiledMechanism;
 
 /// The type of the mechanism that changes its dimensions.
 fn moving_name(outline: &Outline) -> Ident {
@@ -18,7 +17,7 @@ fn moving_name(outline: &Outline) -> Ident {
 }
 
 /// The runtime's `Moving`, and how an assembly begins to move.
-pub(super) fn items(outline: &Outline, unit: &CompiledMechanism) -> TokenStream {
+pub(super) fn items(outline: &Outline) -> TokenStream {
     let Outline {
         runtime,
         visibility,
@@ -28,7 +27,7 @@ pub(super) fn items(outline: &Outline, unit: &CompiledMechanism) -> TokenStream 
     } = outline;
     let moving = moving_name(outline);
     let float = quote!(__p::f64);
-    let Types { modes, .. } = Types::new(outline, unit);
+    let Types { modes, .. } = Types::new(outline);
     let dimensions = outline.scalar_fields().len();
     let [parameters, angles, inputs, width, groups] = [
         dimensions,
@@ -91,9 +90,9 @@ pub(super) fn items(outline: &Outline, unit: &CompiledMechanism) -> TokenStream 
             /// One lane, where it stands.
             fn __moving(__core: &#core<T>, __lane: __p::usize) -> #moving {
                 #moving {
-                    __m: #name::__lane(&__core.__mechanism, __lane),
-                    __modes: __core.__modes,
-                    __turns: __core.__turns.lane(__lane),
+                    __m: #runtime::Compiled::lane(&__core.dimensions, __lane),
+                    __modes: __core.modes,
+                    __turns: __core.revolutions.lane(__lane),
                 }
             }
         }
@@ -146,8 +145,8 @@ fn kernel(outline: &Outline, number: usize, outputs: usize) -> TokenStream {
                 __row: &mut impl #runtime::StageRow<#float>,
             ) {
                 let #moving { __modes, __turns, .. } = *__moving;
-                let __m = #name::<#float>::__of_row(__row);
-                let __prepared = #assembly::<#float>::__prepare::<__FUSED>(&__m, __modes, __turns);
+                let __m = #name::<#float>::__of(|__k| __row.number(__k));
+                let __prepared = #runtime::Compiled::prepare::<__FUSED>(&__m, __modes, __turns);
                 let [#(#found),*] = #assembly::<#float>::#method::<__FUSED>(
                     &__m, __modes, &__prepared, [#(#arguments),*],
                 );

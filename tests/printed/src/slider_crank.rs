@@ -29,19 +29,13 @@ pub struct SliderCrank<T = ::core::primitive::f64> {
     /// `offset`, in mm; default 5, tolerance 0.05.
     pub offset: T,
 }
-#[derive(
-    ::core::clone::Clone,
-    ::core::marker::Copy,
-    ::core::fmt::Debug,
-    ::core::cmp::PartialEq
-)]
 #[doc(hidden)]
-pub struct __SliderCrankCore<T> {
-    __mechanism: SliderCrank<T>,
-    __modes: [::linkage::__private::AssemblyMode; 1],
-    __turns: ::linkage::__private::Turns<T, 0, 1>,
-    __prepared: [T; 9],
-}
+pub type __SliderCrankCore<T> = ::linkage::__private::Core<
+    SliderCrank<T>,
+    [::linkage::__private::AssemblyMode; 1],
+    ::linkage::__private::Turns<T, 0, 1>,
+    [T; 9],
+>;
 /// An assembled `SliderCrank`: closed loops in one assembly, everything prepared that does not depend on the inputs.
 ///
 /// # Sweeps
@@ -140,43 +134,27 @@ const _: () = {
     use ::linkage::__private as __p;
     #[automatically_derived]
     impl ::core::default::Default for SliderCrank<__p::f64> {
+        #[inline]
         fn default() -> Self {
-            Self {
-                crank: 40.0f64,
-                rod: 120.0f64,
-                offset: 5.0f64,
-            }
+            Self::__of(|__k| Self::PARAMETERS[__k].nominal)
         }
     }
     impl SliderCrank<__p::f64> {
         /// The same dimensions in another scalar type: single precision, lanes, dual numbers.
         #[must_use]
         pub fn cast<U: __p::Scalar>(&self) -> SliderCrank<U> {
-            SliderCrank {
-                crank: <U as __p::Scalar>::from_f64(self.crank),
-                rod: <U as __p::Scalar>::from_f64(self.rod),
-                offset: <U as __p::Scalar>::from_f64(self.offset),
-            }
+            let __values = self.__values();
+            SliderCrank::__of(|__k| <U as __p::Scalar>::from_f64(__values[__k]))
         }
     }
     impl<T: __p::Scalar> SliderCrank<T> {
-        /// The dimensions of one lane.
-        fn __lane(&self, __lane: __p::usize) -> SliderCrank<__p::f64> {
-            SliderCrank {
-                crank: T::lane(self.crank, __lane),
-                rod: T::lane(self.rod, __lane),
-                offset: T::lane(self.offset, __lane),
-            }
-        }
-    }
-    impl<T: __p::Scalar> SliderCrank<T> {
-        /// The dimensions, which are the first numbers of a row.
+        /// The dimensions, each by its index in `PARAMETERS`.
         #[inline(always)]
-        fn __of_row(__row: &impl __p::RowNumbers<T>) -> Self {
+        fn __of(__number: impl __p::Fn(__p::usize) -> T) -> Self {
             SliderCrank {
-                crank: __row.number(0),
-                rod: __row.number(1),
-                offset: __row.number(2),
+                crank: __number(0),
+                rod: __number(1),
+                offset: __number(2),
             }
         }
     }
@@ -316,13 +294,11 @@ const _: () = {
     #[automatically_derived]
     impl __p::Dimensions<3> for SliderCrank<__p::f64> {
         const PARAMETERS: &'static [__p::Parameter] = Self::PARAMETERS;
+        #[inline]
         fn from_values(__values: &[__p::f64; 3]) -> Self {
-            SliderCrank {
-                crank: __values[0],
-                rod: __values[1],
-                offset: __values[2],
-            }
+            Self::__of(|__k| __values[__k])
         }
+        #[inline]
         fn values(&self) -> [__p::f64; 3] {
             self.__values()
         }
@@ -338,12 +314,12 @@ const _: () = {
         /// The dimensions that it was assembled with.
         #[must_use]
         pub const fn mechanism(&self) -> &SliderCrank<T> {
-            &__p::Sealed::core(&self.__sealed).__mechanism
+            &__p::Sealed::core(&self.__sealed).dimensions
         }
         /// The assembly mode of each group that has two; `STRUCTURE` says which group is which.
         #[must_use]
         pub const fn modes(&self) -> &[__p::AssemblyMode; 1] {
-            &__p::Sealed::core(&self.__sealed).__modes
+            &__p::Sealed::core(&self.__sealed).modes
         }
     }
     impl<T: __p::Scalar> SliderCrank<T> {
@@ -363,15 +339,7 @@ const _: () = {
         pub fn assemble(
             &self,
         ) -> __p::Result<SliderCrankAssembly<T>, __p::AssemblyError> {
-            __p::explained(
-                SliderCrankAssembly::__assemble(
-                    self,
-                    [__p::AssemblyMode::Minus],
-                    [T::from_f64(0.5235987755982989f64)],
-                ),
-                SliderCrank::<__p::f64>::PARAMETERS,
-                || self.__values(),
-            )
+            __p::assemble(self)
         }
     }
     impl<T: __p::Scalar> SliderCrank<T> {
@@ -385,22 +353,7 @@ const _: () = {
         pub fn assemblies(
             &self,
         ) -> __p::Result<__p::Vec<SliderCrankAssembly<T>>, __p::AssemblyError> {
-            __p::explained(
-                __p::assemblies(
-                    "SliderCrank",
-                    [__p::AssemblyMode::Minus],
-                    |__modes| {
-                        SliderCrankAssembly::__assemble(
-                                self,
-                                __modes,
-                                [T::from_f64(0.5235987755982989f64)],
-                            )
-                            .map(|__assembly| __p::one(__assembly))
-                    },
-                ),
-                SliderCrank::<__p::f64>::PARAMETERS,
-                || self.__values(),
-            )
+            __p::assemblies(self)
         }
         /// Every real assembly at the given inputs, each ready to evaluate; the one that the start estimates
         /// choose comes first if it is real there.
@@ -412,73 +365,79 @@ const _: () = {
             &self,
             phi: T,
         ) -> __p::Result<__p::Vec<SliderCrankAssembly<T>>, __p::AssemblyError> {
-            __p::explained(
-                __p::assemblies(
-                    "SliderCrank",
-                    [__p::AssemblyMode::Minus],
-                    |__modes| {
-                        SliderCrankAssembly::__assemble(self, __modes, [phi])
-                            .map(|__assembly| __p::one(__assembly))
-                    },
-                ),
-                SliderCrank::<__p::f64>::PARAMETERS,
-                || self.__values(),
-            )
+            __p::assemblies_at(self, &[phi])
+        }
+        /// These dimensions in the assembly of a mechanism with others: it is followed along the straight way from those to these, at
+        /// the reference inputs, in steps too small to leave it. Each lane of `T` has a way of its own; it is followed in `f64`, on
+        /// real parts, and the assembly has the digits and derivatives of `T` as one from `assemble()` has.
+        ///
+        /// # Errors
+        ///
+        /// `Blocked` where the assembly ends on the way, in one lane at least; what `assemble()` says of these dimensions.
+        pub fn assemble_from(
+            &self,
+            __assembly: &SliderCrankAssembly<T>,
+        ) -> __p::Result<SliderCrankAssembly<T>, __p::AssemblyError> {
+            __p::assemble_from(self, __assembly)
         }
     }
-    impl<T: __p::Scalar> SliderCrankAssembly<T> {
-        fn __assemble(
-            __m: &SliderCrank<T>,
-            __modes: [__p::AssemblyMode; 1],
-            __at: [T; 1],
-        ) -> __p::Result<Self, __p::AssemblyError> {
-            Self::__finite(__m)?;
-            let __turns: __p::Turns<T, 0, 1> = __p::Turns {
-                centres: [],
-                windings: [],
-            };
-            let __prepared = Self::__prepare_for_machine(__m, &__modes, &__turns);
-            Self::__close(__m, &__modes, &__prepared, __at)?;
-            __p::Ok(Self {
-                __sealed: __p::Sealed::new(
-                    __SliderCrankCore {
-                        __mechanism: *__m,
-                        __modes,
-                        __turns,
-                        __prepared,
-                    },
-                    (),
-                ),
-            })
+    impl<T: __p::Scalar> __p::Compiled for SliderCrank<T> {
+        type Scalar = T;
+        type Plain = SliderCrank<__p::f64>;
+        type Assembly = SliderCrankAssembly<T>;
+        type Modes = [__p::AssemblyMode; 1];
+        type Inputs = [T; 1];
+        type Centres = [T; 0];
+        type Windings = [[T; 1]; 0];
+        type Prepared = [T; 9];
+        type States = ();
+        type Arguments = [T; 1];
+        fn description(&self) -> &'static __p::Description {
+            const {
+                &__p::Description {
+                    name: "SliderCrank",
+                    inputs: SliderCrank::<__p::f64>::INPUTS,
+                    parameters: SliderCrank::<__p::f64>::PARAMETERS,
+                    groups: SliderCrank::<__p::f64>::STRUCTURE.groups,
+                    needed: &[0, 1, 2],
+                    gap_units: &["mm"],
+                    modes: &[__p::AssemblyMode::Minus],
+                    angles: &[],
+                }
+            }
         }
-        fn __finite(__m: &SliderCrank<T>) -> __p::Result<(), __p::AssemblyError> {
-            __p::finite(
-                "SliderCrank",
-                SliderCrank::<__p::f64>::PARAMETERS,
-                &[0, 1, 2],
-                &__m.__values(),
-            )
-        }
-        fn __close(
-            __m: &SliderCrank<T>,
-            __modes: &[__p::AssemblyMode; 1],
-            __prepared: &[T; 9],
-            __x: [T; 1],
-        ) -> __p::Result<(), __p::AssemblyError> {
-            let __gaps = Self::__gaps::<{ __p::FUSED }>(__m, __modes, __prepared, __x);
-            __p::close(
-                "SliderCrank",
-                SliderCrank::<__p::f64>::STRUCTURE.groups,
-                &["mm"],
-                &__gaps,
-            )
+        fn assembly(__sealed: __p::DataOf<Self>) -> SliderCrankAssembly<T> {
+            SliderCrankAssembly { __sealed }
         }
         #[inline(always)]
-        fn __prepare<const __FUSED: __p::bool>(
-            __m: &SliderCrank<T>,
+        fn data(__assembly: &SliderCrankAssembly<T>) -> &__p::DataOf<Self> {
+            &__assembly.__sealed
+        }
+        #[inline(always)]
+        fn dimensions(&self) -> impl __p::AsRef<[T]> {
+            self.__values()
+        }
+        #[inline(always)]
+        fn with_dimensions(&self, __dimension: impl __p::Fn(__p::usize) -> T) -> Self {
+            Self::__of(__dimension)
+        }
+        fn plain(
+            &self,
+            __dimension: impl __p::Fn(__p::usize) -> __p::f64,
+        ) -> Self::Plain {
+            SliderCrank::__of(__dimension)
+        }
+        #[inline(always)]
+        fn arguments(&self, __states: &(), __inputs: &[T; 1]) -> [T; 1] {
+            *__inputs
+        }
+        #[inline(always)]
+        fn prepare<const __FUSED: __p::bool>(
+            &self,
             __modes: &[__p::AssemblyMode; 1],
-            __turns: &__p::Turns<T, 0, 1>,
+            __turns: &__p::RevolutionsOf<Self>,
         ) -> [T; 9] {
+            let __m = self;
             let __v0 = T::from_f64(__p::AssemblyMode::sign(__modes[0]));
             let __v1 = T::from_f64(1.7976931348623157e308f64);
             let __v2 = __m.rod;
@@ -498,27 +457,9 @@ const _: () = {
             let __v16 = -__v12;
             [__v0, __v6, __v7, __v9, __v11, __v12, __v13, __v15, __v16]
         }
-        /// As calls compute: what is the same in both is so to the last bit.
-        fn __prepare_for_machine(
-            __m: &SliderCrank<T>,
-            __modes: &[__p::AssemblyMode; 1],
-            __turns: &__p::Turns<T, 0, 1>,
-        ) -> [T; 9] {
-            __p::single(
-                &__SliderCrankPreparing {
-                    __m,
-                    __modes,
-                    __turns,
-                },
-                [],
-            )
-        }
-        fn __gaps<const __FUSED: __p::bool>(
-            __m: &SliderCrank<T>,
-            __modes: &[__p::AssemblyMode; 1],
-            __prepared: &[T; 9],
-            __x: [T; 1],
-        ) -> [T; 1] {
+        fn gaps(__core: &__p::CoreOf<Self>, __x: [T; 1]) -> impl __p::AsRef<[T]> {
+            const __FUSED: __p::bool = __p::FUSED;
+            let (__m, __modes, __prepared) = __core.loaded();
             let __v0 = __prepared[1];
             let __v1 = __m.offset;
             let __v2 = __m.crank;
@@ -541,27 +482,64 @@ const _: () = {
             let __v20 = T::select(__v14, __v15, __v19);
             [__v20]
         }
-    }
-    struct __SliderCrankPreparing<'a, T> {
-        __m: &'a SliderCrank<T>,
-        __modes: &'a [__p::AssemblyMode; 1],
-        __turns: &'a __p::Turns<T, 0, 1>,
-    }
-    impl<T: __p::Scalar> __p::Single<T, [T; 9], 0> for __SliderCrankPreparing<'_, T> {
-        #[inline(always)]
-        fn at<const __FUSED: __p::bool>(&self, []: [T; 0]) -> [T; 9] {
-            SliderCrankAssembly::__prepare::<
-                __FUSED,
-            >(self.__m, self.__modes, self.__turns)
+        fn directions(
+            __core: &__p::CoreOf<Self>,
+            __x: [T; 1],
+        ) -> impl __p::AsRef<[[T; 2]]> {
+            const __FUSED: __p::bool = __p::FUSED;
+            let (__m, __modes, __prepared) = __core.loaded();
+            []
+        }
+        fn bearings(
+            &self,
+            __modes: &[__p::AssemblyMode; 1],
+        ) -> impl __p::AsRef<[[T; 2]]> {
+            const __FUSED: __p::bool = __p::FUSED;
+            let __m = self;
+            []
         }
     }
-    impl<T: __p::Scalar> SliderCrankAssembly<T> {
-        /// The smallest margin, the slack of every group, and where every unknown is.
-        fn __survey<const __FUSED: __p::bool>(&self, __x: [T; 1]) -> [T; 5] {
-            let __x: [T; 1] = __x;
-            let __SliderCrankCore { __mechanism: __m, __modes, __prepared, .. } = __p::Sealed::core(
-                &self.__sealed,
-            );
+    impl<T: __p::Scalar> __p::Grouped for SliderCrank<T> {
+        const COUPLED: __p::bool = false;
+        type Lane = [__p::Start; 0];
+        type Survey = [T; 5];
+        fn group_data(&self) -> &'static __p::GroupData {
+            const {
+                &__p::GroupData {
+                    levels: &[__p::Level::Modes(0)],
+                    slacks: &[__p::Slack::Number],
+                    coupled: &[],
+                    surveying: 0,
+                    unknowns: &[
+                        __p::SurveyedUnknown {
+                            name: "theta",
+                            unit: "",
+                            angle: true,
+                            numbers: 2,
+                        },
+                        __p::SurveyedUnknown {
+                            name: "slide",
+                            unit: "mm",
+                            angle: false,
+                            numbers: 1,
+                        },
+                    ],
+                    repeats: true,
+                    cycle: __p::Some(__p::Cycle {
+                        low: 0.0f64,
+                        high: 6.283185307179586f64,
+                        angle: true,
+                        samples: 73,
+                    }),
+                }
+            }
+        }
+        fn states(&self, __lanes: &[[__p::Start; 0]]) -> () {
+            ()
+        }
+        fn survey(__core: &__p::CoreOf<Self>, __x: [T; 1]) -> [T; 5] {
+            const __FUSED: __p::bool = __p::FUSED;
+            let (__m, __modes, __prepared) = __core.loaded();
             let __v0 = T::from_f64(1.0f64);
             let __v1 = __prepared[6];
             let __v2 = __prepared[1];
@@ -591,117 +569,29 @@ const _: () = {
             let __v27 = T::mul_add::<__FUSED>(-__v26, __v16, __v13);
             [__v18, __v20, __v22, __v25, __v27]
         }
-        fn __without_starts(__of: &SliderCrankAssembly<__p::f64>) -> Self {
-            let __SliderCrankCore { __mechanism, __modes, __turns, .. } = __p::Sealed::core(
-                &__of.__sealed,
-            );
-            let (__m, __modes, __turns) = (
-                &__mechanism.cast::<T>(),
-                *__modes,
-                __turns.cast::<T>(),
-            );
-            let __prepared = Self::__prepare_for_machine(__m, &__modes, &__turns);
-            Self {
-                __sealed: __p::Sealed::new(
-                    __SliderCrankCore {
-                        __mechanism: *__m,
-                        __modes,
-                        __turns,
-                        __prepared,
-                    },
-                    (),
-                ),
+        fn state_mut(__x: &mut [T; 1], __number: __p::usize) -> &mut [T] {
+            match __number {
+                _ => &mut [],
             }
         }
     }
-    impl SliderCrankAssembly<__p::f64> {
-        fn __surveyor(
-            __m: &SliderCrank<__p::f64>,
-            __chosen_modes: &[__p::AssemblyMode],
-            __chosen_starts: &[__p::Start],
-            __at: [__p::f64; 1],
-        ) -> Self {
-            let __modes: [__p::AssemblyMode; 1] = ::core::array::from_fn(|__k| {
-                __chosen_modes[__k]
-            });
-            let __turns = __p::Turns::at_estimates([]);
-            let __prepared = Self::__prepare_for_machine(__m, &__modes, &__turns);
-            Self {
-                __sealed: __p::Sealed::new(
-                    __SliderCrankCore {
-                        __mechanism: *__m,
-                        __modes,
-                        __turns,
-                        __prepared,
-                    },
-                    (),
-                ),
-            }
-        }
-    }
-    impl __p::Compiled<3, 1> for SliderCrank<__p::f64> {
-        type Assembly = SliderCrankAssembly<__p::f64>;
-        type Survey = [__p::f64; 5];
-        type Programs = __p::NoPrograms;
-        const NAME: &'static __p::str = "SliderCrank";
-        const INPUTS: &'static [__p::Input] = Self::INPUTS;
-        const GROUPS: &'static [__p::Group] = Self::STRUCTURE.groups;
-        const LEVELS: &'static [__p::Level] = &[__p::Level::Modes(0)];
-        fn surveyor(
-            &self,
-            __modes: &[__p::AssemblyMode],
-            __starts: &[__p::Start],
-            __at: [__p::f64; 1],
-        ) -> SliderCrankAssembly<__p::f64> {
-            SliderCrankAssembly::__surveyor(self, __modes, __starts, __at)
-        }
-        fn survey(
-            __assembly: &SliderCrankAssembly<__p::f64>,
-            __at: [__p::f64; 1],
-        ) -> [__p::f64; 5] {
-            __assembly.__survey::<{ __p::FUSED }>(__at)
-        }
-    }
-    impl __p::OneInput<3> for SliderCrank<__p::f64> {
-        const UNKNOWNS: &'static [__p::SurveyedUnknown] = &[
-            __p::SurveyedUnknown {
-                name: "theta",
-                unit: "",
-                angle: true,
-                numbers: 2,
-            },
-            __p::SurveyedUnknown {
-                name: "slide",
-                unit: "mm",
-                angle: false,
-                numbers: 1,
-            },
-        ];
-        const COUNTS: [__p::usize; 2] = [1, 0];
-        fn bounds(
-            __assembly: &SliderCrankAssembly<__p::f64>,
+    impl __p::PlainGroups for SliderCrank<__p::f64> {
+        #[inline]
+        fn run<__R>(
+            __core: &__p::CoreOf<Self>,
             __number: __p::usize,
-        ) -> __p::Bounds<'static> {
-            let __bounds = SliderCrankAssembly::<
-                __p::Enclosure,
-            >::__without_starts(__assembly);
-            __p::Box::new(move |__x| {
-                __bounds.__survey::<{ __p::FUSED }>([__x])[__number]
-            })
+            __program: __p::GroupProgram,
+            __x: [__p::f64; 1],
+            __read: impl __p::FnOnce(&[__p::f64]) -> __R,
+        ) -> __R {
+            __read(&[])
         }
-        fn assembled(
-            &self,
-            __chosen: &__p::Chosen,
-            __at: __p::f64,
-        ) -> __p::Result<SliderCrankAssembly<__p::f64>, __p::AssemblyError> {
-            let __modes = &__chosen.modes;
-            let __modes: [__p::AssemblyMode; 1] = ::core::array::from_fn(|__k| {
-                __modes[__k]
-            });
-            SliderCrankAssembly::__assemble(self, __modes, [__at])
-        }
-        fn check(&self, __at: __p::f64) -> __p::Result<(), __p::AssemblyError> {
-            self.assemblies_at(__at).map(|_| ())
+        fn bounds(
+            __data: &__p::DataOf<Self>,
+            __number: __p::usize,
+        ) -> __p::Option<__p::Bounds<'static>> {
+            let __m = &__p::Sealed::core(__data).dimensions;
+            __p::Some(__p::bounds(__m.cast::<__p::Enclosure>(), __data, __number))
         }
     }
     impl SliderCrank<__p::f64> {
@@ -718,93 +608,16 @@ const _: () = {
             __p::Circuits<SliderCrankAssembly<__p::f64>>,
             __p::AssemblyError,
         > {
-            __p::circuits_of(
-                self,
-                &__p::Cycle {
-                    low: 0.0f64,
-                    high: 6.283185307179586f64,
-                    angle: true,
-                    samples: 73,
-                },
-            )
+            __p::circuits_of(self)
         }
     }
     impl SliderCrankAssembly<__p::f64> {
         /// Searches the declared range for change points, dead points and gaps, as the compiler does for the default
         /// dimensions. An angle without a range is searched for change points over a turn about its reference.
         #[must_use]
+        #[inline]
         pub fn check_range(&self) -> __p::RangeReport {
-            __p::check_range(
-                &__p::Ranged {
-                    mechanism: "SliderCrank",
-                    inputs: SliderCrank::<__p::f64>::INPUTS,
-                    groups: SliderCrank::<__p::f64>::STRUCTURE.groups,
-                    slacks: &[__p::Slack::Number],
-                    units: &["mm"],
-                    repeats: true,
-                },
-                &|__x| ::core::convert::From::from(
-                    self
-                        .__survey::<
-                            { __p::FUSED },
-                        >(::core::array::from_fn::<__p::f64, 1, _>(|__k| __x[__k])),
-                ),
-                &|__x| {
-                    let __SliderCrankCore {
-                        __mechanism: __m,
-                        __modes,
-                        __prepared,
-                        ..
-                    } = __p::Sealed::core(&self.__sealed);
-                    ::core::convert::From::from(
-                        Self::__gaps::<
-                            { __p::FUSED },
-                        >(
-                            __m,
-                            __modes,
-                            __prepared,
-                            ::core::array::from_fn::<__p::f64, 1, _>(|__k| __x[__k]),
-                        ),
-                    )
-                },
-            )
-        }
-    }
-    impl<T: __p::Scalar> SliderCrank<T> {
-        /// These dimensions in the assembly of a mechanism with others: it is followed along the straight way from those to these, at
-        /// the reference inputs, in steps too small to leave it. Each lane of `T` has a way of its own; it is followed in `f64`, on
-        /// real parts, and the assembly has the digits and derivatives of `T` as one from `assemble()` has.
-        ///
-        /// # Errors
-        ///
-        /// `Blocked` where the assembly ends on the way, in one lane at least; what `assemble()` says of these dimensions.
-        pub fn assemble_from(
-            &self,
-            __assembly: &SliderCrankAssembly<T>,
-        ) -> __p::Result<SliderCrankAssembly<T>, __p::AssemblyError> {
-            SliderCrankAssembly::__finite(self)?;
-            for __lane in 0..T::LANES {
-                let __to = SliderCrank::__lane(self, __lane);
-                let __path = __p::MechanismPath::new(
-                    &SliderCrank::__lane(
-                        &__p::Sealed::core(&__assembly.__sealed).__mechanism,
-                        __lane,
-                    ),
-                    &__to,
-                    &__p::Sealed::core(&__assembly.__sealed).__modes,
-                    [0.5235987755982989f64],
-                );
-                __p::follow_way(&__path, __p::Vec::new())?;
-            }
-            __p::explained(
-                SliderCrankAssembly::__assemble(
-                    self,
-                    __p::Sealed::core(&__assembly.__sealed).__modes,
-                    [T::from_f64(0.5235987755982989f64)],
-                ),
-                SliderCrank::<__p::f64>::PARAMETERS,
-                || self.__values(),
-            )
+            __p::check_range_of::<SliderCrank<__p::f64>>(self)
         }
     }
     impl<T: __p::Scalar> __p::ResultRow<T, 3> for __SliderCrank_stroke::Stroke<T> {
@@ -896,7 +709,7 @@ const _: () = {
             phi: &[T],
         ) -> __SliderCrank_stroke::StrokeColumns<T> {
             __SliderCrank_stroke::StrokeColumns(
-                __p::sweep_sets(&self.__sealed, sets, SliderCrank::__values, [phi]),
+                __p::sweep_sets(&self.__sealed, sets, [phi]),
             )
         }
         /// `stroke` for many mechanisms, into columns that are there: see [sweeps](Self#sweeps).
@@ -906,13 +719,7 @@ const _: () = {
             phi: &[T],
             columns: &mut __SliderCrank_stroke::StrokeColumns<T>,
         ) {
-            __p::sweep_sets_into(
-                &self.__sealed,
-                sets,
-                SliderCrank::__values,
-                [phi],
-                &mut columns.0,
-            );
+            __p::sweep_sets_into(&self.__sealed, sets, [phi], &mut columns.0);
         }
     }
     #[doc(hidden)]
@@ -944,7 +751,7 @@ const _: () = {
             __core: &__SliderCrankCore<T>,
             __row: &mut impl __p::StageRow<T>,
         ) {
-            let __SliderCrankCore { __mechanism: __m, __modes, __prepared, .. } = __core;
+            let (__m, __modes, __prepared) = __core.loaded();
             let __input0 = __row.number(0);
             let __v0 = __input0;
             let (__v1, __v2) = T::sin_cos_shortest::<__FUSED, __ROWS>(__v0);
@@ -987,47 +794,38 @@ const _: () = {
             __rows.write(2);
         }
     }
-    impl<T: __p::Scalar> __p::SetStages<T, __SliderCrankCore<T>, 3, 4, 4>
+    impl<T: __p::Scalar> __p::SetStages<SliderCrank<T>, 3, 4, 4>
     for __SliderCrank_stroke_stages {
         type Prepared<const __BLOCK: __p::usize> = __p::Block<T, __BLOCK, 4>;
         #[inline(always)]
         fn prepare<const __FUSED: __p::bool>(
-            __core: &__SliderCrankCore<T>,
-            __dimensions: &impl __p::RowNumbers<T>,
+            __m: &SliderCrank<T>,
+            __modes: &[__p::AssemblyMode; 1],
+            __turns: &__p::RevolutionsOf<SliderCrank<T>>,
             __slots: &mut impl __p::RowNumbersMut<T>,
         ) {
-            let __SliderCrankCore { __modes, __turns, .. } = __core;
-            let __mechanism = SliderCrank::__of_row(__dimensions);
-            let [__value0, __value1, __value2, __value3, _, _, _, _, _] = SliderCrankAssembly::__prepare::<
+            let [__value0, __value1, __value2, __value3, _, _, _, _, _] = __p::Compiled::prepare::<
                 __FUSED,
-            >(&__mechanism, __modes, __turns);
+            >(__m, __modes, __turns);
             __slots.put(0, __value0);
             __slots.put(1, __value1);
             __slots.put(2, __value2);
             __slots.put(3, __value3);
         }
         #[inline(always)]
-        fn core(
-            __core: &__SliderCrankCore<T>,
-            __dimensions: &impl __p::RowNumbers<T>,
-            __slots: &impl __p::RowNumbers<T>,
-        ) -> __SliderCrankCore<T> {
+        fn prepared(__slots: &impl __p::RowNumbers<T>) -> [T; 9] {
             let __zero = T::from_f64(0.0);
-            __SliderCrankCore {
-                __mechanism: SliderCrank::__of_row(__dimensions),
-                __prepared: [
-                    __slots.number(0),
-                    __slots.number(1),
-                    __slots.number(2),
-                    __slots.number(3),
-                    __zero,
-                    __zero,
-                    __zero,
-                    __zero,
-                    __zero,
-                ],
-                ..*__core
-            }
+            [
+                __slots.number(0),
+                __slots.number(1),
+                __slots.number(2),
+                __slots.number(3),
+                __zero,
+                __zero,
+                __zero,
+                __zero,
+                __zero,
+            ]
         }
     }
     impl<T: __p::Scalar> __p::ResultRow<T, 5> for __SliderCrank_accuracy::Accuracy<T> {
@@ -1122,7 +920,7 @@ const _: () = {
             phi: &[T],
         ) -> __SliderCrank_accuracy::AccuracyColumns<T> {
             __SliderCrank_accuracy::AccuracyColumns(
-                __p::sweep_sets(&self.__sealed, sets, SliderCrank::__values, [phi]),
+                __p::sweep_sets(&self.__sealed, sets, [phi]),
             )
         }
         /// `accuracy` for many mechanisms, into columns that are there: see [sweeps](Self#sweeps).
@@ -1132,13 +930,7 @@ const _: () = {
             phi: &[T],
             columns: &mut __SliderCrank_accuracy::AccuracyColumns<T>,
         ) {
-            __p::sweep_sets_into(
-                &self.__sealed,
-                sets,
-                SliderCrank::__values,
-                [phi],
-                &mut columns.0,
-            );
+            __p::sweep_sets_into(&self.__sealed, sets, [phi], &mut columns.0);
         }
     }
     #[doc(hidden)]
@@ -1170,7 +962,7 @@ const _: () = {
             __core: &__SliderCrankCore<T>,
             __row: &mut impl __p::StageRow<T>,
         ) {
-            let __SliderCrankCore { __mechanism: __m, __modes, __prepared, .. } = __core;
+            let (__m, __modes, __prepared) = __core.loaded();
             let __input0 = __row.number(0);
             let __v0 = __input0;
             let (__v1, __v2) = T::sin_cos_shortest::<__FUSED, __ROWS>(__v0);
@@ -1220,21 +1012,18 @@ const _: () = {
             __rows.write(4);
         }
     }
-    impl<T: __p::Scalar> __p::SetStages<T, __SliderCrankCore<T>, 3, 4, 4>
+    impl<T: __p::Scalar> __p::SetStages<SliderCrank<T>, 3, 4, 4>
     for __SliderCrank_accuracy_stages {
         type Prepared<const __BLOCK: __p::usize> = __p::Block<T, __BLOCK, 7>;
         #[inline(always)]
         fn prepare<const __FUSED: __p::bool>(
-            __core: &__SliderCrankCore<T>,
-            __dimensions: &impl __p::RowNumbers<T>,
+            __m: &SliderCrank<T>,
+            __modes: &[__p::AssemblyMode; 1],
+            __turns: &__p::RevolutionsOf<SliderCrank<T>>,
             __slots: &mut impl __p::RowNumbersMut<T>,
         ) {
-            let __SliderCrankCore { __modes, __turns, .. } = __core;
-            let __mechanism = SliderCrank::__of_row(__dimensions);
             let [__value0, __value1, __value2, __value3, __value4, __value5, __value6, _,
-            _] = SliderCrankAssembly::__prepare::<
-                __FUSED,
-            >(&__mechanism, __modes, __turns);
+            _] = __p::Compiled::prepare::<__FUSED>(__m, __modes, __turns);
             __slots.put(0, __value0);
             __slots.put(1, __value1);
             __slots.put(2, __value2);
@@ -1244,27 +1033,19 @@ const _: () = {
             __slots.put(6, __value6);
         }
         #[inline(always)]
-        fn core(
-            __core: &__SliderCrankCore<T>,
-            __dimensions: &impl __p::RowNumbers<T>,
-            __slots: &impl __p::RowNumbers<T>,
-        ) -> __SliderCrankCore<T> {
+        fn prepared(__slots: &impl __p::RowNumbers<T>) -> [T; 9] {
             let __zero = T::from_f64(0.0);
-            __SliderCrankCore {
-                __mechanism: SliderCrank::__of_row(__dimensions),
-                __prepared: [
-                    __slots.number(0),
-                    __slots.number(1),
-                    __slots.number(2),
-                    __slots.number(3),
-                    __slots.number(4),
-                    __slots.number(5),
-                    __slots.number(6),
-                    __zero,
-                    __zero,
-                ],
-                ..*__core
-            }
+            [
+                __slots.number(0),
+                __slots.number(1),
+                __slots.number(2),
+                __slots.number(3),
+                __slots.number(4),
+                __slots.number(5),
+                __slots.number(6),
+                __zero,
+                __zero,
+            ]
         }
     }
     #[automatically_derived]
@@ -1385,7 +1166,7 @@ const _: () = {
             phi: &[T],
         ) -> __SliderCrank_shape::ShapeColumns<T> {
             __SliderCrank_shape::ShapeColumns(
-                __p::sweep_sets(&self.__sealed, sets, SliderCrank::__values, [phi]),
+                __p::sweep_sets(&self.__sealed, sets, [phi]),
             )
         }
         /// `shape` for many mechanisms, into columns that are there: see [sweeps](Self#sweeps).
@@ -1395,13 +1176,7 @@ const _: () = {
             phi: &[T],
             columns: &mut __SliderCrank_shape::ShapeColumns<T>,
         ) {
-            __p::sweep_sets_into(
-                &self.__sealed,
-                sets,
-                SliderCrank::__values,
-                [phi],
-                &mut columns.0,
-            );
+            __p::sweep_sets_into(&self.__sealed, sets, [phi], &mut columns.0);
         }
     }
     #[doc(hidden)]
@@ -1433,7 +1208,7 @@ const _: () = {
             __core: &__SliderCrankCore<T>,
             __row: &mut impl __p::StageRow<T>,
         ) {
-            let __SliderCrankCore { __mechanism: __m, __modes, __prepared, .. } = __core;
+            let (__m, __modes, __prepared) = __core.loaded();
             let __input0 = __row.number(0);
             let __v0 = __input0;
             let (__v1, __v2) = T::sin_cos_shortest::<__FUSED, __ROWS>(__v0);
@@ -1479,46 +1254,37 @@ const _: () = {
             __rows.write(9);
         }
     }
-    impl<T: __p::Scalar> __p::SetStages<T, __SliderCrankCore<T>, 3, 4, 4>
+    impl<T: __p::Scalar> __p::SetStages<SliderCrank<T>, 3, 4, 4>
     for __SliderCrank_shape_stages {
         type Prepared<const __BLOCK: __p::usize> = __p::Block<T, __BLOCK, 3>;
         #[inline(always)]
         fn prepare<const __FUSED: __p::bool>(
-            __core: &__SliderCrankCore<T>,
-            __dimensions: &impl __p::RowNumbers<T>,
+            __m: &SliderCrank<T>,
+            __modes: &[__p::AssemblyMode; 1],
+            __turns: &__p::RevolutionsOf<SliderCrank<T>>,
             __slots: &mut impl __p::RowNumbersMut<T>,
         ) {
-            let __SliderCrankCore { __modes, __turns, .. } = __core;
-            let __mechanism = SliderCrank::__of_row(__dimensions);
-            let [__value0, __value1, __value2, _, _, _, _, _, _] = SliderCrankAssembly::__prepare::<
+            let [__value0, __value1, __value2, _, _, _, _, _, _] = __p::Compiled::prepare::<
                 __FUSED,
-            >(&__mechanism, __modes, __turns);
+            >(__m, __modes, __turns);
             __slots.put(0, __value0);
             __slots.put(1, __value1);
             __slots.put(2, __value2);
         }
         #[inline(always)]
-        fn core(
-            __core: &__SliderCrankCore<T>,
-            __dimensions: &impl __p::RowNumbers<T>,
-            __slots: &impl __p::RowNumbers<T>,
-        ) -> __SliderCrankCore<T> {
+        fn prepared(__slots: &impl __p::RowNumbers<T>) -> [T; 9] {
             let __zero = T::from_f64(0.0);
-            __SliderCrankCore {
-                __mechanism: SliderCrank::__of_row(__dimensions),
-                __prepared: [
-                    __slots.number(0),
-                    __slots.number(1),
-                    __slots.number(2),
-                    __zero,
-                    __zero,
-                    __zero,
-                    __zero,
-                    __zero,
-                    __zero,
-                ],
-                ..*__core
-            }
+            [
+                __slots.number(0),
+                __slots.number(1),
+                __slots.number(2),
+                __zero,
+                __zero,
+                __zero,
+                __zero,
+                __zero,
+                __zero,
+            ]
         }
     }
 };

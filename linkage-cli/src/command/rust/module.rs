@@ -90,6 +90,10 @@ impl Module<'_> {
                 self.quieten(&mut item.attrs);
                 vec![Item::Struct(item)]
             }
+            Item::Type(mut item) => {
+                self.quieten(&mut item.attrs);
+                vec![Item::Type(item)]
+            }
             Item::Use(mut item) => {
                 self.quieten(&mut item.attrs);
                 vec![Item::Use(item)]

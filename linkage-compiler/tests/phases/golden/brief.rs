@@ -275,6 +275,7 @@ fn attributes(item: &mut Item) -> &mut Vec<Attribute> {
     match item {
         Item::Const(item) => &mut item.attrs,
         Item::Struct(item) => &mut item.attrs,
+        Item::Type(item) => &mut item.attrs,
         Item::Impl(item) => &mut item.attrs,
         Item::Mod(item) => &mut item.attrs,
         Item::Use(item) => &mut item.attrs,

@@ -32,6 +32,10 @@ pub struct CoupledGroup {
     pub inputs: &'static [CoupledInput],
     /// Data in the cells of a grid over two of them.
     pub in_cells: Terms,
+    /// The reach of the links in the default dimensions.
+    pub reach: f64,
+    /// The number of continuous angles on which it depends.
+    pub turning: usize,
 }
 
 impl CoupledGroup {

@@ -12,43 +12,6 @@ use linkage_core::numeric::continuation::{Grid, Range, Refusal, Table};
 
 /// The assemblies to prepare.
 #[derive(Clone, Copy, Debug)]
-pub enum Wanted<'a, const K: usize> {
-    /// The one nearest to the start estimates.
-    Nearest,
-    /// Every real one, the nearest to the estimates first.
-    All,
-    /// The one nearest to another.
-    Like(&'a [InitialState; K]),
-}
-
-/// Prepares the coupled groups in their order. `programs` returns the programs of group `k`, given
-/// the initial states of those before it; `at` are all inputs of the mechanism.
-///
-/// # Errors
-///
-/// Where a wanted assembly is not there, or cannot be prepared.
-pub fn initial_states<const K: usize, P: CoupledPrograms>(
-    groups: &[CoupledGroup; K],
-    at: &[f64],
-    wanted: Wanted<'_, K>,
-    programs: impl Fn(usize, &[InitialState; K]) -> Result<P, AssemblyError>,
-) -> Result<Vec<[InitialState; K]>, AssemblyError> {
-    let which = match wanted {
-        Wanted::Nearest => Which::Nearest,
-        Wanted::All => Which::All,
-        Wanted::Like(like) => Which::Like(like),
-    };
-    initial_states_of(
-        groups,
-        [const { InitialState::Nothing }; K],
-        at,
-        which,
-        programs,
-    )
-}
-
-/// The choice of [`Wanted`], for a number of groups that is known at run time only.
-#[derive(Clone, Copy, Debug)]
 pub enum Which<'a> {
     /// The one nearest to the start estimates.
     Nearest,
@@ -58,13 +21,14 @@ pub enum Which<'a> {
     Like(&'a [InitialState]),
 }
 
-/// Works as [`initial_states`], for any list `S` of as many initial states as groups; `nothing` is
-/// the list with [`InitialState::Nothing`] alone.
+/// Prepares the coupled groups in their order. `programs` returns the programs of group `k`, given
+/// the initial states of those before it; `at` are all inputs of the mechanism, and `nothing` is
+/// the list `S` of as many initial states as groups with [`InitialState::Nothing`] alone.
 ///
 /// # Errors
 ///
 /// Where a wanted assembly is not there, or cannot be prepared.
-pub fn initial_states_of<S: AsMut<[InitialState]> + Clone, P: CoupledPrograms>(
+pub fn initial_states<S: AsMut<[InitialState]> + Clone, P: CoupledPrograms>(
     groups: &[CoupledGroup],
     nothing: S,
     at: &[f64],
@@ -203,27 +167,12 @@ pub fn prepared(
 }
 
 /// Prepares all groups from known states, as `assemble()` does from those that estimates choose;
-/// `at` are all inputs of the mechanism.
+/// `at` are all inputs of the mechanism, `initial_states` has a place for each group.
 ///
 /// # Errors
 ///
 /// Where a state cannot be followed over the range.
-pub fn prepared_over<const K: usize, P: CoupledPrograms>(
-    groups: &[CoupledGroup; K],
-    at: &[f64],
-    states: &[Vec<f64>],
-    programs: impl Fn(usize, &[InitialState; K]) -> Result<P, AssemblyError>,
-) -> Result<[InitialState; K], AssemblyError> {
-    let nothing = [const { InitialState::Nothing }; K];
-    prepared_over_in(groups, nothing, at, states, programs)
-}
-
-/// The same for any number of groups; `initial_states` has a place for each.
-///
-/// # Errors
-///
-/// As [`prepared_over`].
-pub fn prepared_over_in<S: AsMut<[InitialState]>, P: CoupledPrograms>(
+pub(in crate::support) fn prepared_over<S: AsMut<[InitialState]>, P: CoupledPrograms>(
     groups: &[CoupledGroup],
     mut initial_states: S,
     at: &[f64],
@@ -238,9 +187,4 @@ pub fn prepared_over_in<S: AsMut<[InitialState]>, P: CoupledPrograms>(
         initial_states.as_mut()[number] = found;
     }
     Ok(initial_states)
-}
-
-/// Nothing prepared, in every lane.
-pub fn no_initial_states<const K: usize>(lanes: usize) -> Vec<[InitialState; K]> {
-    vec![[const { InitialState::Nothing }; K]; lanes]
 }

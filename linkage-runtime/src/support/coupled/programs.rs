@@ -1,7 +1,7 @@
 //! The programs of a coupled group.
 
 use alloc::vec::Vec;
-use linkage_core::numeric::continuation::Residuals;
+use linkage_core::numeric::continuation::{Correction, Residuals, Step};
 
 /// The programs of a group.
 pub trait CoupledPrograms: Residuals {
@@ -21,5 +21,27 @@ pub trait CoupledPrograms: Residuals {
     /// is followed; then those of the loops that make its bodies rigid.
     fn missed(&mut self, _x: &[f64], _state: &[f64]) -> Vec<f64> {
         Vec::new()
+    }
+}
+
+/// The programs of mechanisms without coupled groups: there are none.
+#[derive(Clone, Copy, Debug)]
+pub enum NoPrograms {}
+
+impl Correction for NoPrograms {
+    fn correct(&mut self, _x: &[f64], _state: &mut [f64]) -> Step {
+        match *self {}
+    }
+}
+
+impl Residuals for NoPrograms {}
+
+impl CoupledPrograms for NoPrograms {
+    fn system(&mut self, _x: &[f64]) -> Vec<[f64; 2]> {
+        match *self {}
+    }
+
+    fn placed(&mut self, _x: &[f64], _state: &[f64]) -> Vec<[f64; 2]> {
+        match *self {}
     }
 }

@@ -1,5 +1,6 @@
 //! Sources of the arguments of a sweep.
 
+use crate::support::assembling::Compiled;
 use crate::support::evaluation::FunctionNames;
 use linkage_core::Scalar;
 
@@ -98,10 +99,10 @@ fn repeat_last<T: Copy>(column: &mut [T], slice: &[T], start: usize) {
 }
 
 /// Many mechanisms: the dimensions of each, and one slice for each input with an element for each
-/// mechanism, or a single element for all. A row is the scalars of the dimensions, then the inputs:
-/// `I` numbers.
+/// mechanism, or a single element for all. A row is the `P` scalars of the dimensions, then the
+/// inputs: `I` numbers.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Sets<'a, M, T, F, const N: usize, const I: usize> {
+pub(super) struct Sets<'a, M, T, const P: usize, const N: usize, const I: usize> {
     /// Names for the panic.
     pub names: &'static FunctionNames<N>,
     /// The end of the name of the sweep, for the panic.
@@ -110,15 +111,13 @@ pub(super) struct Sets<'a, M, T, F, const N: usize, const I: usize> {
     pub sets: &'a [M],
     /// The inputs.
     pub slices: [&'a [T]; N],
-    /// The dimensions of a mechanism.
-    pub dimensions: F,
 }
 
-impl<M, T, F, const P: usize, const N: usize, const I: usize> Arguments<T, I>
-    for Sets<'_, M, T, F, N, I>
+impl<M, T, const P: usize, const N: usize, const I: usize> Arguments<T, I>
+    for Sets<'_, M, T, P, N, I>
 where
     T: Scalar,
-    F: Fn(&M) -> [T; P],
+    M: Compiled<Scalar = T>,
 {
     fn check(&self) -> usize {
         const { assert!(I == P + N, "dimensions and inputs") };
@@ -144,9 +143,9 @@ where
     ) {
         for lane in 0..rows.min(B) {
             let index = (start + lane).min(self.sets.len() - 1);
-            let dimensions = (self.dimensions)(&self.sets[index]);
-            for (column, value) in block.iter_mut().zip(dimensions) {
-                column[lane] = value;
+            let dimensions = self.sets[index].dimensions();
+            for (column, value) in block.iter_mut().zip(dimensions.as_ref()) {
+                column[lane] = *value;
             }
             for (column, slice) in block[P..].iter_mut().zip(&self.slices) {
                 column[lane] = slice[index.min(slice.len() - 1)];

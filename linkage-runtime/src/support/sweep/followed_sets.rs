@@ -7,6 +7,7 @@ use super::followed::{Followed, Moving, fill_followed};
 use super::over_sets::rows;
 use super::staged::{OverSets, SetStages};
 use crate::result_columns::ResultColumns;
+use crate::support::assembling::{Compiled, CoreOf, DataOf};
 use crate::support::assembly_data::AssemblyData;
 use crate::support::evaluation::Function;
 use linkage_core::Scalar;
@@ -28,18 +29,15 @@ pub trait FollowedStages<C, const P: usize, const Y: usize> {
     fn moving(core: &C, lane: usize) -> Self::Moving;
 }
 
-/// The results for many mechanisms; `dimensions` are those of a mechanism.
+/// The results for many mechanisms.
 ///
 /// # Panics
 ///
 /// Panics if the arguments differ in length.
 pub fn followed_sweep_sets<
     T,
-    C,
-    S,
     R,
     M,
-    D,
     const P: usize,
     const I: usize,
     const N: usize,
@@ -48,26 +46,26 @@ pub fn followed_sweep_sets<
     const Y: usize,
     const W: usize,
 >(
-    data: &AssemblyData<C, S>,
+    data: &DataOf<M>,
     sets: &[M],
-    dimensions: D,
     arguments: [&[T]; I],
 ) -> ResultColumns<T, R, W>
 where
     T: Scalar,
-    C: Copy,
-    R: Function<T, C, S, I, N, W, Refining: SetStages<T, C, P, Q, X> + FollowedStages<C, P, Y>>,
-    D: Fn(&M) -> [T; P],
+    M: Compiled<Scalar = T>,
+    CoreOf<M>: Copy,
+    R: Function<
+            T,
+            CoreOf<M>,
+            M::States,
+            I,
+            N,
+            W,
+            Refining: SetStages<M, P, Q, X> + FollowedStages<CoreOf<M>, P, Y>,
+        >,
 {
     let mut columns = ResultColumns::default();
-    into_columns(
-        data,
-        "_sweep_sets",
-        sets,
-        dimensions,
-        arguments,
-        &mut columns,
-    );
+    into_columns(data, "_sweep_sets", sets, arguments, &mut columns);
     columns
 }
 
@@ -78,11 +76,8 @@ where
 /// Panics if the arguments differ in length.
 pub fn followed_sweep_sets_into<
     T,
-    C,
-    S,
     R,
     M,
-    D,
     const P: usize,
     const I: usize,
     const N: usize,
@@ -91,35 +86,32 @@ pub fn followed_sweep_sets_into<
     const Y: usize,
     const W: usize,
 >(
-    data: &AssemblyData<C, S>,
+    data: &DataOf<M>,
     sets: &[M],
-    dimensions: D,
     arguments: [&[T]; I],
     columns: &mut ResultColumns<T, R, W>,
 ) where
     T: Scalar,
-    C: Copy,
-    R: Function<T, C, S, I, N, W, Refining: SetStages<T, C, P, Q, X> + FollowedStages<C, P, Y>>,
-    D: Fn(&M) -> [T; P],
+    M: Compiled<Scalar = T>,
+    CoreOf<M>: Copy,
+    R: Function<
+            T,
+            CoreOf<M>,
+            M::States,
+            I,
+            N,
+            W,
+            Refining: SetStages<M, P, Q, X> + FollowedStages<CoreOf<M>, P, Y>,
+        >,
 {
-    into_columns(
-        data,
-        "_sweep_sets_into",
-        sets,
-        dimensions,
-        arguments,
-        columns,
-    );
+    into_columns(data, "_sweep_sets_into", sets, arguments, columns);
 }
 
 /// One loop for both sweeps into columns; `sweep` is the ending of the name of the sweep.
 fn into_columns<
     T,
-    C,
-    S,
     R,
     M,
-    D,
     const P: usize,
     const I: usize,
     const N: usize,
@@ -128,22 +120,29 @@ fn into_columns<
     const Y: usize,
     const W: usize,
 >(
-    data: &AssemblyData<C, S>,
+    data: &DataOf<M>,
     sweep: &'static str,
     sets: &[M],
-    dimensions: D,
     arguments: [&[T]; I],
     columns: &mut ResultColumns<T, R, W>,
 ) where
     T: Scalar,
-    C: Copy,
-    R: Function<T, C, S, I, N, W, Refining: SetStages<T, C, P, Q, X> + FollowedStages<C, P, Y>>,
-    D: Fn(&M) -> [T; P],
+    M: Compiled<Scalar = T>,
+    CoreOf<M>: Copy,
+    R: Function<
+            T,
+            CoreOf<M>,
+            M::States,
+            I,
+            N,
+            W,
+            Refining: SetStages<M, P, Q, X> + FollowedStages<CoreOf<M>, P, Y>,
+        >,
 {
-    let rows = rows::<T, C, S, R, M, D, I, N, Q, W>(data, sweep, sets, dimensions, arguments);
+    let rows = rows::<T, R, M, P, I, N, Q, W>(data, sweep, sets, arguments);
     let core = AssemblyData::core(data);
-    let kernel = OverSets::<_, R::Refining, P, N, Q>::new(core);
-    let followed = followed::<R::Refining, C, P, Y>(core);
+    let kernel = OverSets::<M, R::Refining, P, N, Q>::new(core);
+    let followed = followed::<R::Refining, CoreOf<M>, P, Y>(core);
     fill_followed::<T, R, _, _, P, Y, X, W>(&kernel, &rows, &followed, columns);
 }
 
@@ -155,11 +154,8 @@ fn into_columns<
 #[cfg(feature = "rayon")]
 pub fn followed_sweep_sets_parallel_into<
     T,
-    C,
-    S,
     R,
     M,
-    D,
     const P: usize,
     const I: usize,
     const N: usize,
@@ -168,29 +164,28 @@ pub fn followed_sweep_sets_parallel_into<
     const Y: usize,
     const W: usize,
 >(
-    data: &AssemblyData<C, S>,
+    data: &DataOf<M>,
     sets: &[M],
-    dimensions: D,
     arguments: [&[T]; I],
     columns: &mut ResultColumns<T, R, W>,
 ) where
     T: Scalar + Send + Sync,
-    C: Copy + Sync,
-    S: Sync,
-    M: Sync,
-    R: Function<T, C, S, I, N, W, Refining: SetStages<T, C, P, Q, X> + FollowedStages<C, P, Y>>,
-    D: Fn(&M) -> [T; P] + Sync,
+    M: Compiled<Scalar = T, States: Sync> + Sync,
+    CoreOf<M>: Copy + Sync,
+    R: Function<
+            T,
+            CoreOf<M>,
+            M::States,
+            I,
+            N,
+            W,
+            Refining: SetStages<M, P, Q, X> + FollowedStages<CoreOf<M>, P, Y>,
+        >,
 {
-    let rows = rows::<T, C, S, R, M, D, I, N, Q, W>(
-        data,
-        "_sweep_sets_parallel_into",
-        sets,
-        dimensions,
-        arguments,
-    );
+    let rows = rows::<T, R, M, P, I, N, Q, W>(data, "_sweep_sets_parallel_into", sets, arguments);
     let core = AssemblyData::core(data);
-    let kernel = OverSets::<_, R::Refining, P, N, Q>::new(core);
-    let followed = followed::<R::Refining, C, P, Y>(core);
+    let kernel = OverSets::<M, R::Refining, P, N, Q>::new(core);
+    let followed = followed::<R::Refining, CoreOf<M>, P, Y>(core);
     fill_followed_parallel::<T, R, _, _, P, Y, X, W>(&kernel, &rows, &followed, columns);
 }
 

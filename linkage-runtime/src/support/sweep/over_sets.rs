@@ -7,26 +7,33 @@ use super::fill::fill_results;
 use super::parallel::fill_parallel;
 use super::staged::{OverSets, SetStages};
 use crate::result_columns::ResultColumns;
+use crate::support::assembling::{Compiled, CoreOf, DataOf};
 use crate::support::assembly_data::AssemblyData;
 use crate::support::evaluation::Function;
 use linkage_core::Scalar;
 
 /// The rows of a sweep: mechanisms by their `P` dimensions, arguments, and states after them.
-pub(super) type SetRows<'a, M, T, D, S, F, const I: usize, const N: usize, const Q: usize> =
-    Extended<'a, Sets<'a, M, T, D, I, Q>, S, F, Q, I, N>;
+pub(super) type SetRows<
+    'a,
+    M,
+    T,
+    S,
+    F,
+    const P: usize,
+    const I: usize,
+    const N: usize,
+    const Q: usize,
+> = Extended<'a, Sets<'a, M, T, P, I, Q>, S, F, Q, I, N>;
 
-/// The results for many mechanisms; `dimensions` are those of a mechanism.
+/// The results for many mechanisms.
 ///
 /// # Panics
 ///
 /// Panics if the arguments differ in length.
 pub fn sweep_sets<
     T,
-    C,
-    S,
     R,
     M,
-    D,
     const P: usize,
     const I: usize,
     const N: usize,
@@ -34,26 +41,18 @@ pub fn sweep_sets<
     const X: usize,
     const W: usize,
 >(
-    data: &AssemblyData<C, S>,
+    data: &DataOf<M>,
     sets: &[M],
-    dimensions: D,
     arguments: [&[T]; I],
 ) -> ResultColumns<T, R, W>
 where
     T: Scalar,
-    C: Copy,
-    R: Function<T, C, S, I, N, W, Refining: SetStages<T, C, P, Q, X>>,
-    D: Fn(&M) -> [T; P],
+    M: Compiled<Scalar = T>,
+    CoreOf<M>: Copy,
+    R: Function<T, CoreOf<M>, M::States, I, N, W, Refining: SetStages<M, P, Q, X>>,
 {
     let mut columns = ResultColumns::default();
-    into_columns(
-        data,
-        "_sweep_sets",
-        sets,
-        dimensions,
-        arguments,
-        &mut columns,
-    );
+    into_columns(data, "_sweep_sets", sets, arguments, &mut columns);
     columns
 }
 
@@ -64,11 +63,8 @@ where
 /// Panics if the arguments differ in length.
 pub fn sweep_sets_into<
     T,
-    C,
-    S,
     R,
     M,
-    D,
     const P: usize,
     const I: usize,
     const N: usize,
@@ -76,35 +72,24 @@ pub fn sweep_sets_into<
     const X: usize,
     const W: usize,
 >(
-    data: &AssemblyData<C, S>,
+    data: &DataOf<M>,
     sets: &[M],
-    dimensions: D,
     arguments: [&[T]; I],
     columns: &mut ResultColumns<T, R, W>,
 ) where
     T: Scalar,
-    C: Copy,
-    R: Function<T, C, S, I, N, W, Refining: SetStages<T, C, P, Q, X>>,
-    D: Fn(&M) -> [T; P],
+    M: Compiled<Scalar = T>,
+    CoreOf<M>: Copy,
+    R: Function<T, CoreOf<M>, M::States, I, N, W, Refining: SetStages<M, P, Q, X>>,
 {
-    into_columns(
-        data,
-        "_sweep_sets_into",
-        sets,
-        dimensions,
-        arguments,
-        columns,
-    );
+    into_columns(data, "_sweep_sets_into", sets, arguments, columns);
 }
 
 /// One loop for both sweeps into columns; `sweep` is the ending of the name of the sweep.
 fn into_columns<
     T,
-    C,
-    S,
     R,
     M,
-    D,
     const P: usize,
     const I: usize,
     const N: usize,
@@ -112,21 +97,20 @@ fn into_columns<
     const X: usize,
     const W: usize,
 >(
-    data: &AssemblyData<C, S>,
+    data: &DataOf<M>,
     sweep: &'static str,
     sets: &[M],
-    dimensions: D,
     arguments: [&[T]; I],
     columns: &mut ResultColumns<T, R, W>,
 ) where
     T: Scalar,
-    C: Copy,
-    R: Function<T, C, S, I, N, W, Refining: SetStages<T, C, P, Q, X>>,
-    D: Fn(&M) -> [T; P],
+    M: Compiled<Scalar = T>,
+    CoreOf<M>: Copy,
+    R: Function<T, CoreOf<M>, M::States, I, N, W, Refining: SetStages<M, P, Q, X>>,
 {
-    let rows: SetRows<'_, M, T, D, S, R::States, I, N, Q> =
-        rows::<T, C, S, R, M, D, I, N, Q, W>(data, sweep, sets, dimensions, arguments);
-    let kernel = OverSets::<_, R::Refining, P, N, Q>::new(AssemblyData::core(data));
+    let rows: SetRows<'_, M, T, M::States, R::States, P, I, N, Q> =
+        rows::<T, R, M, P, I, N, Q, W>(data, sweep, sets, arguments);
+    let kernel = OverSets::<M, R::Refining, P, N, Q>::new(AssemblyData::core(data));
     fill_results::<T, R, X, W>(&kernel, &rows, columns);
 }
 
@@ -138,11 +122,8 @@ fn into_columns<
 #[cfg(feature = "rayon")]
 pub fn sweep_sets_parallel_into<
     T,
-    C,
-    S,
     R,
     M,
-    D,
     const P: usize,
     const I: usize,
     const N: usize,
@@ -150,27 +131,18 @@ pub fn sweep_sets_parallel_into<
     const X: usize,
     const W: usize,
 >(
-    data: &AssemblyData<C, S>,
+    data: &DataOf<M>,
     sets: &[M],
-    dimensions: D,
     arguments: [&[T]; I],
     columns: &mut ResultColumns<T, R, W>,
 ) where
     T: Scalar + Send + Sync,
-    C: Copy + Sync,
-    S: Sync,
-    M: Sync,
-    R: Function<T, C, S, I, N, W, Refining: SetStages<T, C, P, Q, X>>,
-    D: Fn(&M) -> [T; P] + Sync,
+    M: Compiled<Scalar = T, States: Sync> + Sync,
+    CoreOf<M>: Copy + Sync,
+    R: Function<T, CoreOf<M>, M::States, I, N, W, Refining: SetStages<M, P, Q, X>>,
 {
-    let rows = rows::<T, C, S, R, M, D, I, N, Q, W>(
-        data,
-        "_sweep_sets_parallel_into",
-        sets,
-        dimensions,
-        arguments,
-    );
-    let kernel = OverSets::<_, R::Refining, P, N, Q>::new(AssemblyData::core(data));
+    let rows = rows::<T, R, M, P, I, N, Q, W>(data, "_sweep_sets_parallel_into", sets, arguments);
+    let kernel = OverSets::<M, R::Refining, P, N, Q>::new(AssemblyData::core(data));
     fill_parallel::<T, R, X, W>(&kernel, &rows, columns);
 }
 
@@ -179,31 +151,29 @@ pub fn sweep_sets_parallel_into<
 pub(super) fn rows<
     'a,
     T,
-    C,
-    S,
     R,
     M,
-    D,
+    const P: usize,
     const I: usize,
     const N: usize,
     const Q: usize,
     const W: usize,
 >(
-    data: &'a AssemblyData<C, S>,
+    data: &'a DataOf<M>,
     sweep: &'static str,
     sets: &'a [M],
-    dimensions: D,
     slices: [&'a [T]; I],
-) -> SetRows<'a, M, T, D, S, R::States, I, N, Q>
+) -> SetRows<'a, M, T, M::States, R::States, P, I, N, Q>
 where
-    R: Function<T, C, S, I, N, W>,
+    T: Scalar,
+    M: Compiled<Scalar = T>,
+    R: Function<T, CoreOf<M>, M::States, I, N, W>,
 {
     let sets = Sets {
         names: R::NAMES,
         sweep,
         sets,
         slices,
-        dimensions,
     };
     Extended::new(sets, AssemblyData::starts(data))
 }

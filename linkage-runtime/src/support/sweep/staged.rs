@@ -8,6 +8,8 @@ use linkage_core::Scalar;
 use super::arguments::Arguments;
 use super::blocks::{next_vectors, put, rows};
 use super::kernel::Kernel;
+use crate::support::assembling::{Compiled, CoreOf, RevolutionsOf};
+use crate::support::assembly_data::Core;
 use crate::support::stages::{
     Block, FinishedRows, Memory, RowNumbers, RunStages, Stage, StageRow, Staged,
 };
@@ -22,19 +24,20 @@ pub trait RowNumbersMut<T> {
 ///
 /// A row has `P` dimensions: `Q` numbers with the arguments of the function after them, and `R`
 /// with those of its program.
-pub trait SetStages<T, C, const P: usize, const Q: usize, const R: usize> {
+pub trait SetStages<M: Compiled, const P: usize, const Q: usize, const R: usize> {
     /// The prepared numbers of `B` rows.
-    type Prepared<const B: usize>: Memory<T>;
+    type Prepared<const B: usize>: Memory<M::Scalar>;
 
-    /// Prepares the mechanism of a row, in the assembly that `core` is of.
+    /// Prepares the mechanism of a row.
     fn prepare<const FUSED: bool>(
-        core: &C,
-        dimensions: &impl RowNumbers<T>,
-        prepared: &mut impl RowNumbersMut<T>,
+        mechanism: &M,
+        modes: &M::Modes,
+        revolutions: &RevolutionsOf<M>,
+        slots: &mut impl RowNumbersMut<M::Scalar>,
     );
 
-    /// The data of the assembly of a row, with the prepared numbers that the function uses.
-    fn core(core: &C, dimensions: &impl RowNumbers<T>, prepared: &impl RowNumbers<T>) -> C;
+    /// The prepared numbers of a row: those that the function uses.
+    fn prepared(slots: &impl RowNumbers<M::Scalar>) -> M::Prepared;
 }
 
 /// The kernel over inputs of the function `F`.
@@ -70,24 +73,27 @@ where
 }
 
 /// The kernel over mechanisms of the function `F`: rows of `P` dimensions and `N` arguments.
-pub(super) struct OverSets<'a, C, F, const P: usize, const N: usize, const Q: usize>(
-    &'a C,
+pub(super) struct OverSets<'a, D: Compiled, F, const P: usize, const N: usize, const Q: usize>(
+    &'a CoreOf<D>,
     PhantomData<fn() -> F>,
 );
 
-impl<'a, C, F, const P: usize, const N: usize, const Q: usize> OverSets<'a, C, F, P, N, Q> {
+impl<'a, D: Compiled, F, const P: usize, const N: usize, const Q: usize>
+    OverSets<'a, D, F, P, N, Q>
+{
     /// For mechanisms assembled as the one with the data `core`.
-    pub(super) fn new(core: &'a C) -> Self {
+    pub(super) fn new(core: &'a CoreOf<D>) -> Self {
         Self(core, PhantomData)
     }
 }
 
-impl<T, C, F, const P: usize, const N: usize, const Q: usize, const R: usize, const W: usize>
-    Kernel<T, R, W> for OverSets<'_, C, F, P, N, Q>
+impl<T, D, F, const P: usize, const N: usize, const Q: usize, const R: usize, const W: usize>
+    Kernel<T, R, W> for OverSets<'_, D, F, P, N, Q>
 where
     T: Scalar,
-    C: Copy,
-    F: Staged<T, C, N, W> + SetStages<T, C, P, Q, R>,
+    D: Compiled<Scalar = T>,
+    CoreOf<D>: Copy,
+    F: Staged<T, CoreOf<D>, N, W> + SetStages<D, P, Q, R>,
 {
     const WIDE: bool = F::WIDE;
 
@@ -100,7 +106,7 @@ where
     ) {
         const { assert!(R == P + N, "dimensions and arguments") };
         let prepared = F::Prepared::<B>::filled(T::from_f64(0.0));
-        let cores = SetCores::<_, F, P, Q>(prepared, PhantomData);
+        let cores = SetCores::<_, D, F, P, Q>(prepared, PhantomData);
         over_blocks::<F, _, _, _, FUSED, V, B, N, R, W, P>(
             self.0, cores, arguments, first, columns,
         );
@@ -227,23 +233,26 @@ impl<T, C, const B: usize, const R: usize> Cores<T, C, B, R> for OneCore {
 }
 
 /// Each row is another mechanism, with its prepared numbers.
-struct SetCores<M, F, const P: usize, const Q: usize>(M, PhantomData<fn() -> F>);
+struct SetCores<M, D, F, const P: usize, const Q: usize>(M, PhantomData<fn() -> (D, F)>);
 
-impl<T, C, M, F, const P: usize, const Q: usize, const B: usize, const R: usize> Cores<T, C, B, R>
-    for SetCores<M, F, P, Q>
+impl<T, D, M, F, const P: usize, const Q: usize, const B: usize, const R: usize>
+    Cores<T, CoreOf<D>, B, R> for SetCores<M, D, F, P, Q>
 where
-    T: Copy,
+    T: Scalar,
+    D: Compiled<Scalar = T>,
     M: Memory<T>,
-    F: SetStages<T, C, P, Q, R>,
+    F: SetStages<D, P, Q, R>,
 {
     // All rows of the block, also those that are not asked for: only a loop of a fixed length
     // becomes vectors of full width.
     #[inline(always)]
-    fn prepare<const FUSED: bool>(&mut self, core: &C, x: &Block<T, B, R>) {
+    fn prepare<const FUSED: bool>(&mut self, core: &CoreOf<D>, x: &Block<T, B, R>) {
         let mut lane = 0;
         while lane < B {
-            let mut prepared = BlockLaneMut(&mut self.0, lane);
-            F::prepare::<FUSED>(core, &BlockLane(x, lane), &mut prepared);
+            let row = BlockLane(x, lane);
+            let mechanism = core.dimensions.with_dimensions(|k| row.number(k));
+            let mut slots = BlockLaneMut(&mut self.0, lane);
+            F::prepare::<FUSED>(&mechanism, &core.modes, &core.revolutions, &mut slots);
             lane = lane.wrapping_add(1);
         }
     }
@@ -251,13 +260,18 @@ where
     #[inline(always)]
     fn core_of<const V: usize>(
         &self,
-        core: &C,
+        core: &CoreOf<D>,
         x: &Block<T, B, R>,
         vector: usize,
         lane: usize,
-    ) -> impl Borrow<C> {
-        let x = VectorLane::<_, V>(x, vector, lane);
-        F::core(core, &x, &VectorLane::<_, V>(&self.0, vector, lane))
+    ) -> impl Borrow<CoreOf<D>> {
+        let row = VectorLane::<_, V>(x, vector, lane);
+        Core {
+            dimensions: core.dimensions.with_dimensions(|k| row.number(k)),
+            modes: core.modes.clone(),
+            revolutions: core.revolutions.clone(),
+            prepared: F::prepared(&VectorLane::<_, V>(&self.0, vector, lane)),
+        }
     }
 }
 

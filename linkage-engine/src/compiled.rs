@@ -1,0 +1,234 @@
+//! A mechanism with its dimensions, as the runtime assembles it: its programs are interpreted.
+
+use linkage_compiler::ir::Generated;
+use linkage_runtime::support::{
+    AssemblyData, Core, CoreOf, DataOf, Description, GroupData, GroupProgram, Grouped,
+    InitialState, PlainGroups, Revolutions, RevolutionsOf, pairs,
+};
+use linkage_runtime::{AssemblyMode, Enclosure, Scalar};
+use linkage_symbolic::interpret::run_by;
+use linkage_symbolic::program::{Program, Source};
+
+use crate::mechanism::Mechanism;
+use crate::numbers::{Numbers, States};
+use crate::operations::{by_build, over_states};
+
+/// A mechanism with its dimensions.
+#[derive(Clone, Debug)]
+pub(crate) struct Compiled<'m> {
+    pub(crate) mechanism: &'m Mechanism,
+    pub(crate) dimensions: Vec<f64>,
+}
+
+/// The revolutions of all angles.
+pub(crate) type AllRevolutions = Revolutions<Vec<f64>, Vec<Vec<f64>>>;
+
+/// The data of an assembly, in types that shorten with the borrow of the mechanism.
+pub(crate) type Data<'m> = AssemblyData<
+    Core<Compiled<'m>, Vec<AssemblyMode>, AllRevolutions, Vec<f64>>,
+    Vec<InitialState>,
+>;
+
+/// An assembled mechanism.
+#[derive(Clone, Debug)]
+pub struct Assembly<'m> {
+    pub(crate) data: Data<'m>,
+}
+
+/// The inputs, and the state of each coupled group there with its floor.
+pub(crate) struct Arguments {
+    inputs: Vec<f64>,
+    states: Vec<Vec<f64>>,
+}
+
+impl<'m> Compiled<'m> {
+    pub(crate) fn new(mechanism: &'m Mechanism, dimensions: &[f64]) -> Self {
+        Self {
+            mechanism,
+            dimensions: dimensions.to_vec(),
+        }
+    }
+}
+
+/// The numbers of an assembly.
+pub(crate) fn numbers<'a>(
+    core: &'a CoreOf<Compiled<'_>>,
+    inputs: &'a [f64],
+    states: &'a [Vec<f64>],
+) -> Numbers<'a> {
+    Numbers {
+        dimensions: &core.dimensions.dimensions,
+        modes: &core.modes,
+        revolutions: &core.revolutions,
+        prepared: &core.prepared,
+        inputs,
+        states,
+    }
+}
+
+/// The outputs of a program of an assembly, by the instructions of the build.
+fn run(core: &CoreOf<Compiled<'_>>, program: &Program, x: &Arguments) -> Vec<f64> {
+    let numbers = numbers(core, &x.inputs, &x.states);
+    by_build(program, |source| numbers.load(source))
+}
+
+impl<'m> linkage_runtime::support::Compiled for Compiled<'m> {
+    type Scalar = f64;
+    type Plain = Self;
+    type Assembly = Assembly<'m>;
+    type Modes = Vec<AssemblyMode>;
+    type Inputs = Vec<f64>;
+    type Centres = Vec<f64>;
+    type Windings = Vec<Vec<f64>>;
+    type Prepared = Vec<f64>;
+    type States = Vec<InitialState>;
+    type Arguments = Arguments;
+
+    fn description(&self) -> &'static Description {
+        self.mechanism.description
+    }
+
+    fn assembly(data: DataOf<Self>) -> Assembly<'m> {
+        Assembly { data }
+    }
+
+    fn data<'a>(assembly: &'a Assembly<'m>) -> &'a DataOf<Self> {
+        &assembly.data
+    }
+
+    fn dimensions(&self) -> impl AsRef<[f64]> {
+        &self.dimensions
+    }
+
+    fn with_dimensions(&self, dimension: impl Fn(usize) -> f64) -> Self {
+        Self {
+            mechanism: self.mechanism,
+            dimensions: (0..self.dimensions.len()).map(dimension).collect(),
+        }
+    }
+
+    fn plain(&self, dimension: impl Fn(usize) -> f64) -> Self {
+        self.with_dimensions(dimension)
+    }
+
+    fn arguments(&self, states: &Vec<InitialState>, inputs: &Vec<f64>) -> Arguments {
+        let states = States {
+            mechanism: self.mechanism,
+            starts: states,
+            inputs,
+        };
+        Arguments {
+            states: states.by_build(),
+            inputs: inputs.clone(),
+        }
+    }
+
+    fn prepare<const FUSED: bool>(
+        &self,
+        modes: &Vec<AssemblyMode>,
+        revolutions: &RevolutionsOf<Self>,
+    ) -> Vec<f64> {
+        let numbers = self.numbers(modes, revolutions);
+        let load = |source| numbers.load(source);
+        run_by::<Generated<f64, FUSED>>(&self.mechanism.compiled.prepare, load)
+    }
+
+    fn gaps(core: &CoreOf<Self>, x: Arguments) -> impl AsRef<[f64]> {
+        run(core, &core.dimensions.mechanism.compiled.gaps, &x)
+    }
+
+    fn directions(core: &CoreOf<Self>, x: Arguments) -> impl AsRef<[[f64; 2]]> {
+        pairs(&run(
+            core,
+            &core.dimensions.mechanism.compiled.directions,
+            &x,
+        ))
+    }
+
+    fn bearings(&self, modes: &Vec<AssemblyMode>) -> impl AsRef<[[f64; 2]]> {
+        let none = Revolutions {
+            centres: Vec::new(),
+            windings: Vec::new(),
+        };
+        let numbers = self.numbers(modes, &none);
+        let bearings = &self.mechanism.compiled.bearings;
+        pairs(&by_build(bearings, |source| numbers.load(source)))
+    }
+}
+
+impl Compiled<'_> {
+    /// The numbers that no input and nothing prepared changes.
+    fn numbers<'a>(
+        &'a self,
+        modes: &'a [AssemblyMode],
+        revolutions: &'a AllRevolutions,
+    ) -> Numbers<'a> {
+        Numbers {
+            dimensions: &self.dimensions,
+            modes,
+            revolutions,
+            prepared: &[],
+            inputs: &[],
+            states: &[],
+        }
+    }
+}
+
+impl Grouped for Compiled<'_> {
+    const COUPLED: bool = true;
+    type Lane = Vec<InitialState>;
+    type Survey = Vec<f64>;
+
+    fn group_data(&self) -> &'static GroupData {
+        self.mechanism.group_data
+    }
+
+    fn states(&self, lanes: &[Vec<InitialState>]) -> Vec<InitialState> {
+        lanes[0].clone()
+    }
+
+    fn survey(core: &CoreOf<Self>, x: Arguments) -> Vec<f64> {
+        run(core, &core.dimensions.mechanism.compiled.survey, &x)
+    }
+
+    fn state_mut(x: &mut Arguments, number: usize) -> &mut [f64] {
+        // Without its floor.
+        x.states[number]
+            .split_last_mut()
+            .map_or(&mut [], |(_, state)| state)
+    }
+}
+
+impl PlainGroups for Compiled<'_> {
+    fn run<R>(
+        core: &CoreOf<Self>,
+        number: usize,
+        program: GroupProgram,
+        x: Arguments,
+        read: impl FnOnce(&[f64]) -> R,
+    ) -> R {
+        let group = &core.dimensions.mechanism.compiled.coupled[number];
+        let program = match program {
+            GroupProgram::System => &group.system,
+            GroupProgram::Correct => &group.correct,
+            GroupProgram::Placed => &group.placed,
+            GroupProgram::Estimate => &group.estimate,
+            GroupProgram::Missed => &group.missed,
+        };
+        read(&run(core, program, &x))
+    }
+
+    fn residuals(
+        core: &CoreOf<Self>,
+        number: usize,
+        x: Arguments,
+        state: &[Enclosure],
+    ) -> Vec<Enclosure> {
+        let numbers = numbers(core, &x.inputs, &x.states);
+        let program = &core.dimensions.mechanism.compiled.coupled[number].residuals;
+        over_states(program, |source| match source {
+            Source::State(group, component) if group == number => state[component],
+            _ => Enclosure::from_f64(numbers.load(source)),
+        })
+    }
+}

@@ -1,0 +1,103 @@
+//! A compiled mechanism.
+
+use linkage_core::Scalar;
+
+use super::description::Description;
+use super::list::List;
+use super::revolutions::Revolutions;
+use crate::data::AssemblyMode;
+use crate::support::assembly_data::{AssemblyData, Core};
+
+/// The revolutions of the angles of a mechanism.
+pub type RevolutionsOf<C> = Revolutions<<C as Compiled>::Centres, <C as Compiled>::Windings>;
+
+/// The data of an assembly, without the initial states of coupled groups.
+pub type CoreOf<C> = Core<C, <C as Compiled>::Modes, RevolutionsOf<C>, <C as Compiled>::Prepared>;
+
+/// The data of an assembly.
+pub type DataOf<C> = AssemblyData<CoreOf<C>, <C as Compiled>::States>;
+
+/// A mechanism with its dimensions: its description and its programs.
+///
+/// The macro prints it for the struct of the dimensions, the engine interprets the programs of a
+/// text. All that assembles a mechanism is written once, over this trait. Programs are functions
+/// without a branch; they have the instructions of the build, if nothing else is said.
+pub trait Compiled: Clone {
+    /// The numbers that it computes with, in lanes.
+    type Scalar: Scalar;
+    /// The mechanism of one lane.
+    type Plain: Compiled<Scalar = f64, Plain = Self::Plain, Modes = Self::Modes>;
+    /// The assembled mechanism.
+    type Assembly: Clone;
+    /// The mode of each group that has two.
+    type Modes: List<AssemblyMode>;
+    /// A number for each input.
+    type Inputs: List<Self::Scalar>;
+    /// A number for each continuous angle.
+    type Centres: List<Self::Scalar>;
+    /// Numbers for each continuous angle.
+    type Windings: List<Self::Inputs>;
+    /// The numbers that depend on dimensions, modes and revolutions alone.
+    type Prepared: Clone;
+    /// The initial states of coupled groups in all lanes.
+    type States: Clone;
+    /// The inputs, and the states of coupled groups there.
+    type Arguments;
+
+    /// Its description.
+    fn description(&self) -> &'static Description;
+
+    /// The reference inputs.
+    fn reference(&self) -> Self::Inputs {
+        let inputs = self.description().inputs;
+        List::list(inputs.len(), |input| {
+            Scalar::from_f64(inputs[input].reference)
+        })
+    }
+
+    /// The modes that the start estimates choose.
+    fn default_modes(&self) -> Self::Modes {
+        let modes = self.description().modes;
+        List::list(modes.len(), |mode| modes[mode])
+    }
+
+    /// The assembly that has these data.
+    fn assembly(data: DataOf<Self>) -> Self::Assembly;
+
+    /// The data of an assembly.
+    fn data(assembly: &Self::Assembly) -> &DataOf<Self>;
+
+    /// The dimensions in the order of the parameters.
+    fn dimensions(&self) -> impl AsRef<[Self::Scalar]>;
+
+    /// The mechanism with other dimensions, each by its index.
+    fn with_dimensions(&self, dimension: impl Fn(usize) -> Self::Scalar) -> Self;
+
+    /// The mechanism in plain numbers, with other dimensions.
+    fn plain(&self, dimension: impl Fn(usize) -> f64) -> Self::Plain;
+
+    /// The mechanism of one lane.
+    fn lane(&self, lane: usize) -> Self::Plain {
+        let dimensions = self.dimensions();
+        self.plain(|index| dimensions.as_ref()[index].lane(lane))
+    }
+
+    /// The arguments of programs at these inputs.
+    fn arguments(&self, states: &Self::States, inputs: &Self::Inputs) -> Self::Arguments;
+
+    /// Prepares an assembly. With `FUSED` only on machines with fused multiply-add.
+    fn prepare<const FUSED: bool>(
+        &self,
+        modes: &Self::Modes,
+        revolutions: &RevolutionsOf<Self>,
+    ) -> Self::Prepared;
+
+    /// The gaps by which groups miss closing.
+    fn gaps(core: &CoreOf<Self>, x: Self::Arguments) -> impl AsRef<[Self::Scalar]>;
+
+    /// Cosine and sine of each continuous angle.
+    fn directions(core: &CoreOf<Self>, x: Self::Arguments) -> impl AsRef<[[Self::Scalar; 2]]>;
+
+    /// The vectors of the phases of all continuous angles, one angle after the other.
+    fn bearings(&self, modes: &Self::Modes) -> impl AsRef<[[Self::Scalar; 2]]>;
+}

@@ -1,0 +1,149 @@
+//! A compiled mechanism whose groups are assembled one after the other.
+
+use alloc::boxed::Box;
+use alloc::vec;
+use alloc::vec::Vec;
+use linkage_core::range_check::Slack;
+use linkage_core::{Cycle, Enclosure, Level, Scalar};
+
+use super::compiled::{Compiled, CoreOf, DataOf};
+use super::list::List;
+use super::preparation::core as prepared_core;
+use super::winding::constant;
+use crate::support::assembly_data::AssemblyData;
+use crate::support::coupled::{CoupledGroup, InitialState};
+
+/// Bounds of a number as a function of the inputs.
+pub type Bounds<'a> = Box<dyn Fn(Enclosure) -> Enclosure + 'a>;
+
+/// An unknown whose numbers are surveyed.
+#[derive(Clone, Copy, Debug)]
+pub struct SurveyedUnknown {
+    /// Its name.
+    pub name: &'static str,
+    /// Unit of a length; empty for a number.
+    pub unit: &'static str,
+    /// True for an angle: its numbers are cosine and sine.
+    pub angle: bool,
+    /// The number of its numbers.
+    pub numbers: usize,
+}
+
+/// The data of a mechanism that searches for assemblies need.
+#[derive(Clone, Copy, Debug)]
+pub struct GroupData {
+    /// The groups in order.
+    pub levels: &'static [Level],
+    /// The kind of slack of each group.
+    pub slacks: &'static [Slack],
+    /// The groups without a closed form, in order.
+    pub coupled: &'static [CoupledGroup],
+    /// The number of angles on which surveys depend.
+    pub surveying: usize,
+    /// The unknowns in the order of their numbers in a survey.
+    pub unknowns: &'static [SurveyedUnknown],
+    /// True if whole turns of an angle are alike: nothing is prepared over the range.
+    pub repeats: bool,
+    /// The range of the only input.
+    pub cycle: Option<Cycle>,
+}
+
+/// A mechanism whose groups are assembled one after the other. Of assemblies that are searched only
+/// the first groups are chosen; the modes and initial states of later groups mean nothing.
+pub trait Grouped: Compiled {
+    /// True if some group can have no closed form.
+    const COUPLED: bool;
+
+    /// The initial states of coupled groups in one lane.
+    type Lane: List<InitialState>;
+    /// The least margin of all groups, the slack of every group, the numbers of the unknowns.
+    type Survey: AsRef<[Self::Scalar]>;
+
+    /// The data that searches need.
+    fn group_data(&self) -> &'static GroupData;
+
+    /// The initial states of all lanes.
+    fn states(&self, lanes: &[Self::Lane]) -> Self::States;
+
+    /// Surveys an assembly.
+    fn survey(core: &CoreOf<Self>, x: Self::Arguments) -> Self::Survey;
+
+    /// The state of a coupled group among arguments.
+    fn state_mut(x: &mut Self::Arguments, number: usize) -> &mut [Self::Scalar];
+}
+
+/// The programs of a coupled group.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum GroupProgram {
+    /// The coefficients of the polynomial system.
+    System,
+    /// A Newton step.
+    Correct,
+    /// The unknowns with start estimates.
+    Placed,
+    /// The state where the unknowns are estimated.
+    Estimate,
+    /// The sides of loops, by component.
+    Missed,
+}
+
+/// A mechanism in plain numbers, whose coupled groups can be prepared.
+pub trait PlainGroups: Grouped<Scalar = f64, Plain = Self> {
+    /// Runs a program of a coupled group; there are no outputs where the group has no such program.
+    fn run<R>(
+        core: &CoreOf<Self>,
+        number: usize,
+        program: GroupProgram,
+        x: Self::Arguments,
+        read: impl FnOnce(&[f64]) -> R,
+    ) -> R;
+
+    /// The residuals of a coupled group over a box of its state.
+    fn residuals(
+        _core: &CoreOf<Self>,
+        _number: usize,
+        _x: Self::Arguments,
+        _state: &[Enclosure],
+    ) -> Vec<Enclosure> {
+        Vec::new()
+    }
+
+    /// Bounds of a number of a survey over inputs, of a mechanism with one input. Those of groups
+    /// after a coupled one are not known.
+    fn bounds(_data: &DataOf<Self>, _number: usize) -> Option<Bounds<'static>> {
+        None
+    }
+}
+
+/// Bounds of a number of a survey by the programs of `enclosed`, the same mechanism over intervals.
+pub fn bounds<C, E>(enclosed: E, data: &DataOf<C>, number: usize) -> Bounds<'static>
+where
+    C: PlainGroups,
+    E: Grouped<Scalar = Enclosure, Modes = C::Modes, Lane = C::Lane> + 'static,
+    CoreOf<E>: 'static,
+    E::States: 'static,
+{
+    let core = AssemblyData::core(data);
+    let lanes = no_states(&enclosed);
+    let states = enclosed.states(&lanes);
+    let revolutions = constant(
+        &enclosed,
+        |angle| Enclosure::from_f64(core.revolutions.centres.as_ref()[angle]),
+        |angle, input| {
+            let windings = &core.revolutions.windings.as_ref()[angle];
+            Enclosure::from_f64(windings.as_ref()[input])
+        },
+    );
+    let core = prepared_core(&enclosed, &core.modes, revolutions);
+    Box::new(move |x| {
+        let x = core.dimensions.arguments(&states, &List::list(1, |_| x));
+        E::survey(&core, x).as_ref()[number]
+    })
+}
+
+/// Nothing prepared, in every lane.
+pub(super) fn no_states<C: Grouped>(mechanism: &C) -> Vec<C::Lane> {
+    let count = mechanism.group_data().coupled.len();
+    let nothing = C::Lane::list(count, |_| InitialState::Nothing);
+    vec![nothing; C::Scalar::LANES]
+}

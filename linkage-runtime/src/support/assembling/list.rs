@@ -1,0 +1,24 @@
+//! Arrays and vectors.
+
+#[cfg(feature = "alloc")]
+use alloc::vec::Vec;
+
+/// An array, whose length a generated mechanism knows at build time, or a vector.
+pub trait List<X>: AsRef<[X]> + AsMut<[X]> + Clone {
+    /// The list with these entries; `count` is the length of an array already.
+    fn list(count: usize, entry: impl FnMut(usize) -> X) -> Self;
+}
+
+impl<X: Clone, const N: usize> List<X> for [X; N] {
+    #[inline(always)]
+    fn list(_: usize, entry: impl FnMut(usize) -> X) -> Self {
+        core::array::from_fn(entry)
+    }
+}
+
+#[cfg(feature = "alloc")]
+impl<X: Clone> List<X> for Vec<X> {
+    fn list(count: usize, entry: impl FnMut(usize) -> X) -> Self {
+        (0..count).map(entry).collect()
+    }
+}

@@ -1,0 +1,57 @@
+//! The numbers of an assembly that depend on its dimensions alone.
+
+use linkage_core::Scalar;
+
+use super::compiled::{Compiled, CoreOf, RevolutionsOf};
+use super::list::List;
+use crate::support::assembly_data::Core;
+use crate::support::dispatch::{DataFunction, dispatch_function};
+
+/// The inputs of one lane.
+pub(super) fn lane_inputs<C: Compiled>(
+    mechanism: &C,
+    at: &C::Inputs,
+    lane: usize,
+) -> <C::Plain as Compiled>::Inputs {
+    let count = mechanism.description().inputs.len();
+    List::list(count, |input| at.as_ref()[input].lane(lane))
+}
+
+/// The data of an assembly with these revolutions, by the instructions that calls choose: numbers
+/// that calls compute, too, are the same to the last bit.
+pub(super) fn core<C: Compiled>(
+    mechanism: &C,
+    modes: &C::Modes,
+    revolutions: RevolutionsOf<C>,
+) -> CoreOf<C> {
+    let data = Unprepared {
+        mechanism,
+        modes,
+        revolutions: &revolutions,
+    };
+    let prepared = dispatch_function::<Preparation, _, C::Scalar, _, 0>(&data, []);
+    Core {
+        dimensions: mechanism.clone(),
+        modes: modes.clone(),
+        revolutions,
+        prepared,
+    }
+}
+
+/// An assembly to prepare.
+struct Unprepared<'a, C: Compiled> {
+    mechanism: &'a C,
+    modes: &'a C::Modes,
+    revolutions: &'a RevolutionsOf<C>,
+}
+
+/// The program that prepares it.
+enum Preparation {}
+
+impl<C: Compiled> DataFunction<Unprepared<'_, C>, C::Scalar, C::Prepared, 0> for Preparation {
+    #[inline(always)]
+    fn value<const FUSED: bool>(data: &Unprepared<'_, C>, []: [C::Scalar; 0]) -> C::Prepared {
+        data.mechanism
+            .prepare::<FUSED>(data.modes, data.revolutions)
+    }
+}

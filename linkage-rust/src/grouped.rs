@@ -1,0 +1,236 @@
+//! The mechanism as the runtime searches its assemblies, group by group: the traits `Grouped` and
+//! `PlainGroups`.
+
+use linkage_core::range_check::Slack;
+use linkage_core::{Cycle, Level};
+use proc_macro2::TokenStream;
+use quote::{format_ident, quote};
+
+use super::array_types::{Types, start_type, starts_type};
+use super::compiled::over_core;
+use super::load::Places;
+use super::outline::Outline;
+use super::{body, literal};
+use linkage_compiler::ir::CompiledMechanism;
+
+/// Both traits.
+pub(super) fn items(outline: &Outline, unit: &CompiledMechanism) -> TokenStream {
+    let Outline { runtime, name, .. } = outline;
+    let Types { arguments, .. } = Types::new(outline);
+    let states = starts_type(outline);
+    let places = Places::all(outline);
+    let coupled = !outline.starts.is_empty();
+    let [count, numbers] = [outline.starts.len(), unit.survey.outputs.len()].map(literal::index);
+    let data = data(outline, unit);
+    let starts = outline.starts.iter().enumerate().map(|(number, start)| {
+        let number = literal::index(number);
+        let ty = start_type(outline, start);
+        quote!(<#ty>::of::<T>(|__lane| &__lanes[__lane][#number]))
+    });
+    let starts = match coupled {
+        true => quote!((#(#starts,)*)),
+        false => quote!(()),
+    };
+    let survey = over_core(outline, &unit.survey, body::outputs);
+    let state = outline.starts.iter().enumerate().map(|(number, start)| {
+        let first = places.state(number, 0);
+        let [number, first, end] = [number, first, first + start.size].map(literal::index);
+        quote!(#number => &mut __x[#first..#end],)
+    });
+    let plain = plain(outline, unit);
+    quote! {
+        #runtime::if_alloc! {
+            impl<T: #runtime::Scalar> #runtime::Grouped for #name<T> {
+                const COUPLED: __p::bool = #coupled;
+                type Lane = [#runtime::Start; #count];
+                type Survey = [T; #numbers];
+
+                fn group_data(&self) -> &'static #runtime::GroupData { const { &#data } }
+
+                fn states(&self, __lanes: &[[#runtime::Start; #count]]) -> #states { #starts }
+
+                fn survey(__core: &#runtime::CoreOf<Self>, __x: #arguments) -> [T; #numbers] { #survey }
+
+                fn state_mut(__x: &mut #arguments, __number: __p::usize) -> &mut [T] {
+                    match __number { #(#state)* _ => &mut [] }
+                }
+            }
+            #plain
+        }
+    }
+}
+
+/// The runtime's `GroupData`.
+fn data(outline: &Outline, unit: &CompiledMechanism) -> TokenStream {
+    let runtime = &outline.runtime;
+    let levels = unit.levels().into_iter().map(|level| match level {
+        Level::Modes(mode) => {
+            let mode = literal::index(mode);
+            quote!(#runtime::Level::Modes(#mode))
+        }
+        Level::Coupled(number) => {
+            let number = literal::index(number);
+            quote!(#runtime::Level::Coupled(#number))
+        }
+        Level::Single => quote!(#runtime::Level::Single),
+    });
+    let slacks = unit.groups.iter().map(|group| {
+        let slack = match group.slack {
+            Slack::Number => quote!(Number),
+            Slack::Relative => quote!(Relative),
+            Slack::Signed => quote!(Signed),
+            Slack::Prepared => quote!(Prepared),
+        };
+        quote!(#runtime::Slack::#slack)
+    });
+    let groups = match outline.starts.is_empty() {
+        true => quote!(&[]),
+        false => {
+            let assembly = &outline.assembly;
+            quote!(&#assembly::<__p::f64>::__GROUPS)
+        }
+    };
+    let surveying = literal::index(unit.surveying);
+    let unknowns = unit.surveyed.iter().map(|surveyed| {
+        let unknown = &unit.unknowns[surveyed.unknown];
+        let name = &unknown.name;
+        let angle = surveyed.angle;
+        let unit = match angle {
+            true => "",
+            false => &unknown.unit,
+        };
+        let numbers = literal::index(surveyed.numbers);
+        quote!(#runtime::SurveyedUnknown { name: #name, unit: #unit, angle: #angle, numbers: #numbers })
+    });
+    let repeats = unit.repeats();
+    let cycle = match &unit.inputs[..] {
+        [input] => {
+            let Cycle {
+                low,
+                high,
+                angle,
+                samples,
+            } = input.cycle();
+            let (low, high) = (literal::float(low), literal::float(high));
+            let samples = literal::index(samples);
+            quote!(__p::Some(#runtime::Cycle { low: #low, high: #high, angle: #angle, samples: #samples }))
+        }
+        _ => quote!(__p::None),
+    };
+    quote! {
+        #runtime::GroupData {
+            levels: &[#(#levels),*],
+            slacks: &[#(#slacks),*],
+            coupled: #groups,
+            surveying: #surveying,
+            unknowns: &[#(#unknowns),*],
+            repeats: #repeats,
+            cycle: #cycle,
+        }
+    }
+}
+
+/// The programs of the coupled groups on plain numbers, and bounds of surveys.
+fn plain(outline: &Outline, unit: &CompiledMechanism) -> TokenStream {
+    let Outline { runtime, name, .. } = outline;
+    let assembly = &outline.assembly;
+    let float = quote!(__p::f64);
+    let width = literal::index(Places::all(outline).width());
+    let mut arms = TokenStream::new();
+    for (number, group) in unit.coupled.iter().enumerate() {
+        let others: &[(&str, &str)] = match group.followed {
+            true => &[("Estimate", "estimate"), ("Missed", "missed")],
+            false => &[("System", "system")],
+        };
+        let programs = [("Correct", "correct"), ("Placed", "placed")];
+        for (program, method) in programs.iter().chain(others) {
+            let program = format_ident!("{program}");
+            let method = format_ident!("__{method}{number}");
+            let number = literal::index(number);
+            arms.extend(quote! {
+                (#number, #runtime::GroupProgram::#program) => __read(
+                    &#assembly::<#float>::#method::<{ #runtime::FUSED }>(__m, __modes, __prepared, __x),
+                ),
+            });
+        }
+    }
+    let run = match unit.coupled.is_empty() {
+        true => quote!(__read(&[])),
+        false => quote! {
+            let (__m, __modes, __prepared) = __core.loaded();
+            match (__number, __program) { #arms _ => __read(&[]) }
+        },
+    };
+    let residuals = residuals(outline, unit);
+    let one_input = unit.inputs.len() == 1 && !unit.groups.is_empty();
+    let bounds = one_input.then(|| {
+        quote! {
+            fn bounds(
+                __data: &#runtime::DataOf<Self>,
+                __number: __p::usize,
+            ) -> __p::Option<#runtime::Bounds<'static>> {
+                let __m = &#runtime::Sealed::core(__data).dimensions;
+                __p::Some(#runtime::bounds(__m.cast::<#runtime::Enclosure>(), __data, __number))
+            }
+        }
+    });
+    quote! {
+        impl #runtime::PlainGroups for #name<#float> {
+            #[inline]
+            fn run<__R>(
+                __core: &#runtime::CoreOf<Self>,
+                __number: __p::usize,
+                __program: #runtime::GroupProgram,
+                __x: [#float; #width],
+                __read: impl #runtime::FnOnce(&[#float]) -> __R,
+            ) -> __R { #run }
+            #residuals
+            #bounds
+        }
+    }
+}
+
+/// The residuals of groups that are followed from their estimates.
+fn residuals(outline: &Outline, unit: &CompiledMechanism) -> Option<TokenStream> {
+    let Outline {
+        runtime, assembly, ..
+    } = outline;
+    let enclosure = quote!(#runtime::Enclosure);
+    let cast = quote!(<#enclosure as #runtime::Scalar>::from_f64);
+    let width = literal::index(Places::all(outline).width());
+    let groups = unit.coupled.iter().enumerate();
+    let followed = groups.filter(|(_, group)| group.followed);
+    let arms: Vec<_> = followed
+        .map(|(number, _)| {
+            let method = format_ident!("__residuals{number}");
+            let number = literal::index(number);
+            quote! {
+                #number => <#runtime::Vec<_> as ::core::convert::From<[_; _]>>::from(
+                    #assembly::<#enclosure>::#method::<{ #runtime::FUSED }>(
+                        &__m.cast(), __modes, &__prepared.map(#cast), __x,
+                    ),
+                ),
+            }
+        })
+        .collect();
+    if arms.is_empty() {
+        return None;
+    }
+    let float = quote!(__p::f64);
+    let name = outline.name;
+    Some(quote! {
+        #[inline]
+        fn residuals(
+            __core: &#runtime::CoreOf<Self>,
+            __number: __p::usize,
+            __x: [#float; #width],
+            __state: &[#enclosure],
+        ) -> #runtime::Vec<#enclosure> {
+            let (__m, __modes, __prepared) = __core.loaded();
+            let mut __x = __x.map(#cast);
+            let __state_numbers = <#name<#enclosure> as #runtime::Grouped>::state_mut(&mut __x, __number);
+            __state_numbers[..__state.len()].copy_from_slice(__state);
+            match __number { #(#arms)* _ => #runtime::Vec::new() }
+        }
+    })
+}
