@@ -5,7 +5,7 @@ use linkage_runtime::support::{
     InitialState, Which, close, finite as check_finite, initial_states_of,
 };
 use linkage_runtime::{AssemblyError, AssemblyMode, Estimate, Scalar};
-use linkage_symbolic::program::Source;
+use linkage_symbolic::program::{Program, Source};
 
 use crate::coupled::Programs;
 use crate::mechanism::Mechanism;
@@ -58,7 +58,11 @@ impl Assembly<'_> {
         body: &Body,
         arguments: &[f64],
     ) -> Vec<f64> {
-        let compiled = &self.mechanism.compiled;
+        let Mechanism {
+            compiled,
+            multiply_adds,
+            ..
+        } = self.mechanism;
         let mut inputs = vec![f64::NAN; compiled.inputs.len() + compiled.arguments.len()];
         for (&index, x) in function.arguments.iter().zip(arguments) {
             inputs[index] = *x;
@@ -68,12 +72,12 @@ impl Assembly<'_> {
             true => {
                 let states = states.by_machine();
                 let numbers = self.numbers(&inputs, &states);
-                called(body, |source| numbers.load(source))
+                called(*multiply_adds, body, |source| numbers.load(source))
             }
             false => {
                 let states = states.by_build();
                 let numbers = self.numbers(&inputs, &states);
-                by_build(&body.program, |source| numbers.load(source))
+                by_build(*multiply_adds, &body.program, |source| numbers.load(source))
             }
         }
     }
@@ -112,16 +116,20 @@ impl Assembly<'_> {
     pub(crate) fn survey(&self, inputs: &[f64]) -> Vec<f64> {
         let states = self.states(inputs).by_build();
         let numbers = self.numbers(inputs, &states);
-        by_build(&self.mechanism.compiled.survey, |source| {
-            numbers.load(source)
-        })
+        self.run(&self.mechanism.compiled.survey, numbers)
     }
 
     /// Returns the closure error of each group at these inputs.
     pub(crate) fn gaps(&self, inputs: &[f64]) -> Vec<f64> {
         let states = self.states(inputs).by_build();
         let numbers = self.numbers(inputs, &states);
-        by_build(&self.mechanism.compiled.gaps, |source| numbers.load(source))
+        self.run(&self.mechanism.compiled.gaps, numbers)
+    }
+
+    fn run(&self, program: &Program, numbers: Numbers<'_>) -> Vec<f64> {
+        by_build(self.mechanism.multiply_adds, program, |source| {
+            numbers.load(source)
+        })
     }
 
     pub(crate) fn mechanism(&self) -> &Mechanism {

@@ -4,7 +4,7 @@ use linkage_runtime::support::{
     Correction, CoupledPrograms, InitialState, Residuals, Step, pairs, placed, stepped,
 };
 use linkage_runtime::{AssemblyError, AssemblyMode, Enclosure, Scalar};
-use linkage_symbolic::program::Source;
+use linkage_symbolic::program::{Program, Source};
 
 use crate::mechanism::Mechanism;
 use crate::numbers::{Numbers, States};
@@ -91,6 +91,12 @@ impl<'m> Programs<'m> {
             states,
         }
     }
+
+    fn run(&self, program: &Program, numbers: Numbers<'_>) -> Vec<f64> {
+        by_build(self.mechanism.multiply_adds, program, |source| {
+            numbers.load(source)
+        })
+    }
 }
 
 impl Correction for Programs<'_> {
@@ -98,7 +104,7 @@ impl Correction for Programs<'_> {
         let states = self.states_with(inputs, state);
         let numbers = self.numbers(&states);
         let program = &self.mechanism.compiled.coupled[self.number].correct;
-        stepped(state, &by_build(program, |source| numbers.load(source)))
+        stepped(state, &self.run(program, numbers))
     }
 }
 
@@ -119,21 +125,21 @@ impl CoupledPrograms for Programs<'_> {
         let states = self.states_at(inputs);
         let numbers = self.numbers(&states);
         let program = &self.mechanism.compiled.coupled[self.number].system;
-        pairs(&by_build(program, |source| numbers.load(source)))
+        pairs(&self.run(program, numbers))
     }
 
     fn estimate(&mut self, inputs: &[f64]) -> Vec<f64> {
         let states = self.states_at(inputs);
         let numbers = self.numbers(&states);
         let program = &self.mechanism.compiled.coupled[self.number].estimate;
-        by_build(program, |source| numbers.load(source))
+        self.run(program, numbers)
     }
 
     fn missed(&mut self, inputs: &[f64], state: &[f64]) -> Vec<f64> {
         let states = self.states_with(inputs, state);
         let numbers = self.numbers(&states);
         let program = &self.mechanism.compiled.coupled[self.number].missed;
-        by_build(program, |source| numbers.load(source))
+        self.run(program, numbers)
     }
 
     fn placed(&mut self, inputs: &[f64], state: &[f64]) -> Vec<[f64; 2]> {
@@ -142,7 +148,7 @@ impl CoupledPrograms for Programs<'_> {
         let group = &self.mechanism.compiled.coupled[self.number];
         let angles = group.unknowns.iter().map(|unknown| unknown.angle);
         let angles: Vec<bool> = angles.collect();
-        let outputs = by_build(&group.placed, |source| numbers.load(source));
+        let outputs = self.run(&group.placed, numbers);
         placed(&angles, group.reach, &outputs)
     }
 }

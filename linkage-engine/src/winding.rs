@@ -31,7 +31,8 @@ impl Winding<'_> {
     fn wind_from(self, count: usize, start: &[f64]) -> Result<Revolutions, &'static str> {
         let unit = &self.mechanism.compiled;
         let mut revolutions = Revolutions::at_estimates(self.mechanism);
-        let bearings = by_build(&unit.bearings, |source| {
+        let multiply_adds = self.mechanism.multiply_adds;
+        let bearings = by_build(multiply_adds, &unit.bearings, |source| {
             self.numbers(&revolutions, &[], start, &[]).load(source)
         });
         let bearings = pairs(&bearings);
@@ -48,7 +49,9 @@ impl Winding<'_> {
                 };
                 let states = states.by_build();
                 let numbers = self.numbers(&revolutions, &prepared, x, &states);
-                let all = by_build(&unit.directions, |source| numbers.load(source));
+                let all = by_build(multiply_adds, &unit.directions, |source| {
+                    numbers.load(source)
+                });
                 [all[2 * index], all[2 * index + 1]]
             };
             let found = wind_one(angle, angle_phases, &start.to_vec(), direction);
@@ -62,7 +65,12 @@ impl Winding<'_> {
     /// All prepared slots.
     pub(crate) fn prepare(self, revolutions: &Revolutions) -> Vec<f64> {
         let numbers = self.numbers(revolutions, &[], &[], &[]);
-        by_machine(&self.mechanism.compiled.prepare, |source| {
+        let Mechanism {
+            compiled,
+            multiply_adds,
+            ..
+        } = self.mechanism;
+        by_machine(*multiply_adds, &compiled.prepare, |source| {
             numbers.load(source)
         })
     }
