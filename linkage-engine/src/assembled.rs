@@ -12,6 +12,7 @@ use crate::mechanism::Mechanism;
 use crate::mechanism::forever::forever;
 use crate::numbers::{Numbers, States};
 use crate::operations::{by_build, called};
+use crate::results::Results;
 use crate::revolutions::Revolutions;
 use crate::winding::Winding;
 
@@ -26,7 +27,7 @@ pub struct Assembly<'m> {
     prepared: Vec<f64>,
 }
 
-impl Assembly<'_> {
+impl<'m> Assembly<'m> {
     /// The mode of each group that has two.
     #[must_use]
     pub fn modes(&self) -> &[AssemblyMode] {
@@ -39,6 +40,20 @@ impl Assembly<'_> {
         &self.dimensions
     }
 
+    /// Returns the share of the ranges of the inputs in which groups without a closed form are
+    /// assembled, from 0 to 1: elsewhere results are NaN, because the links do not reach each other
+    /// there or a dead point is near. Of several groups the one that serves least counts; without
+    /// such a group over several inputs it is 1.
+    #[must_use]
+    pub fn served(&self) -> f64 {
+        let groups = self.mechanism.compiled.coupled.iter().zip(&self.starts);
+        let shares = groups.map(|(group, start)| match start {
+            InitialState::Grid(grid) if group.inputs.len() > 1 => grid.served(),
+            _ => 1.0,
+        });
+        shares.fold(1.0, f64::min)
+    }
+
     /// The results of a function, by its number: one for each of its columns.
     ///
     /// # Panics
@@ -49,6 +64,22 @@ impl Assembly<'_> {
         let function = &self.mechanism.compiled.functions[function];
         assert_eq!(arguments.len(), function.arguments.len(), "its arguments");
         self.call_body(function, &function.called, arguments)
+    }
+
+    /// The results of a function, by its name, with the names of its fields.
+    ///
+    /// # Panics
+    ///
+    /// If no function has that name, or it takes another number of arguments.
+    #[must_use]
+    pub fn results(&self, function: &str, arguments: &[f64]) -> Results<'m> {
+        let mechanism = self.mechanism;
+        let number = mechanism.function(function);
+        let number = number.unwrap_or_else(|error| panic!("{error}"));
+        Results {
+            function: &mechanism.compiled.functions[number],
+            numbers: self.call(number, arguments),
+        }
     }
 
     /// The results of one of the programs of a function.
@@ -132,7 +163,7 @@ impl Assembly<'_> {
         })
     }
 
-    pub(crate) fn mechanism(&self) -> &Mechanism {
+    pub(crate) fn mechanism(&self) -> &'m Mechanism {
         self.mechanism
     }
 

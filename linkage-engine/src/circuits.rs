@@ -8,16 +8,16 @@ use crate::coupled::Programs;
 use crate::mechanism::Mechanism;
 
 /// A mechanism with one input, as the runtime searches it.
-struct CircuitSearch<'m> {
+struct CircuitSearch<'m, 'd> {
     mechanism: &'m Mechanism,
-    dimensions: &'m [f64],
+    dimensions: &'d [f64],
     searched: Searched,
 }
 
 /// Every assembly over the range of the input; `None` where there is nothing to search.
 pub(crate) fn circuits_of<'m>(
     mechanism: &'m Mechanism,
-    dimensions: &'m [f64],
+    dimensions: &[f64],
 ) -> Option<Result<Circuits<Assembly<'m>>, AssemblyError>> {
     let ([input], false) = (
         &mechanism.compiled.inputs[..],
@@ -42,7 +42,7 @@ pub(crate) fn circuits_of<'m>(
     Some(circuits(&search, &input.cycle()))
 }
 
-impl<'m> Levels for CircuitSearch<'m> {
+impl<'m> Levels for CircuitSearch<'m, '_> {
     type Assembly = Assembly<'m>;
     type Survey = Vec<f64>;
     type Programs = Programs<'m>;

@@ -58,10 +58,10 @@ impl Mechanism {
     /// # Errors
     ///
     /// As the method `circuits` of the macro's struct.
-    pub fn circuits<'m>(
-        &'m self,
-        dimensions: &'m [f64],
-    ) -> Option<Result<Circuits<Assembly<'m>>, AssemblyError>> {
+    pub fn circuits(
+        &self,
+        dimensions: &[f64],
+    ) -> Option<Result<Circuits<Assembly<'_>>, AssemblyError>> {
         circuits_of(self, dimensions)
     }
 
