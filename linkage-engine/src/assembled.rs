@@ -12,6 +12,7 @@ use crate::mechanism::Mechanism;
 use crate::mechanism::forever::forever;
 use crate::numbers::States;
 use crate::operations::{by_build, called};
+use crate::results::Results;
 
 impl<'m> Assembly<'m> {
     /// The mode of each group that has two.
@@ -34,6 +35,21 @@ impl<'m> Assembly<'m> {
         check_range_of::<Compiled<'m>>(self)
     }
 
+    /// Returns the share of the ranges of the inputs in which groups without a closed form are
+    /// assembled, from 0 to 1: elsewhere results are NaN, because the links do not reach each other
+    /// there or a dead point is near. Of several groups the one that serves least counts; without
+    /// such a group over several inputs it is 1.
+    #[must_use]
+    pub fn served(&self) -> f64 {
+        let coupled = &self.mechanism().compiled.coupled;
+        let groups = coupled.iter().zip(self.starts());
+        let shares = groups.map(|(group, start)| match start {
+            InitialState::Grid(grid) if group.inputs.len() > 1 => grid.served(),
+            _ => 1.0,
+        });
+        shares.fold(1.0, f64::min)
+    }
+
     /// The results of a function, by its number: one for each of its columns.
     ///
     /// # Panics
@@ -46,6 +62,22 @@ impl<'m> Assembly<'m> {
         self.call_body(function, &function.called, arguments)
     }
 
+    /// The results of a function, by its name, with the names of its fields.
+    ///
+    /// # Panics
+    ///
+    /// If no function has that name, or it takes another number of arguments.
+    #[must_use]
+    pub fn results(&self, function: &str, arguments: &[f64]) -> Results<'m> {
+        let mechanism = self.mechanism();
+        let number = mechanism.function(function);
+        let number = number.unwrap_or_else(|error| panic!("{error}"));
+        Results {
+            function: &mechanism.compiled.functions[number],
+            numbers: self.call(number, arguments),
+        }
+    }
+
     /// The results of one of the programs of a function.
     pub(crate) fn call_body(
         &self,
@@ -53,7 +85,11 @@ impl<'m> Assembly<'m> {
         body: &Body,
         arguments: &[f64],
     ) -> Vec<f64> {
-        let compiled = &self.mechanism().compiled;
+        let Mechanism {
+            compiled,
+            multiply_adds,
+            ..
+        } = self.mechanism();
         let mut inputs = vec![f64::NAN; compiled.inputs.len() + compiled.arguments.len()];
         for (&index, x) in function.arguments.iter().zip(arguments) {
             inputs[index] = *x;
@@ -63,12 +99,12 @@ impl<'m> Assembly<'m> {
             true => {
                 let states = states.by_machine();
                 let numbers = numbers(self.core(), &inputs, &states);
-                called(body, |source| numbers.load(source))
+                called(*multiply_adds, body, |source| numbers.load(source))
             }
             false => {
                 let states = states.by_build();
                 let numbers = numbers(self.core(), &inputs, &states);
-                by_build(&body.program, |source| numbers.load(source))
+                by_build(*multiply_adds, &body.program, |source| numbers.load(source))
             }
         }
     }

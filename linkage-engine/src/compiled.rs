@@ -11,7 +11,7 @@ use linkage_symbolic::program::{Program, Source};
 
 use crate::mechanism::Mechanism;
 use crate::numbers::{Numbers, States};
-use crate::operations::{by_build, over_states};
+use crate::operations::{MultiplyAdds, by_build, over_states};
 
 /// A mechanism with its dimensions.
 #[derive(Clone, Debug)]
@@ -69,7 +69,8 @@ pub(crate) fn numbers<'a>(
 /// The outputs of a program of an assembly, by the instructions of the build.
 fn run(core: &CoreOf<Compiled<'_>>, program: &Program, x: &Arguments) -> Vec<f64> {
     let numbers = numbers(core, &x.inputs, &x.states);
-    by_build(program, |source| numbers.load(source))
+    let multiply_adds = core.dimensions.mechanism.multiply_adds;
+    by_build(multiply_adds, program, |source| numbers.load(source))
 }
 
 impl<'m> linkage_runtime::support::Compiled for Compiled<'m> {
@@ -130,7 +131,11 @@ impl<'m> linkage_runtime::support::Compiled for Compiled<'m> {
     ) -> Vec<f64> {
         let numbers = self.numbers(modes, revolutions);
         let load = |source| numbers.load(source);
-        run_by::<Generated<f64, FUSED>>(&self.mechanism.compiled.prepare, load)
+        let program = &self.mechanism.compiled.prepare;
+        match self.mechanism.multiply_adds {
+            MultiplyAdds::Generated => run_by::<Generated<f64, FUSED>>(program, load),
+            MultiplyAdds::Fused => run_by::<Generated<f64, true>>(program, load),
+        }
     }
 
     fn gaps(core: &CoreOf<Self>, x: Arguments) -> impl AsRef<[f64]> {
@@ -152,7 +157,10 @@ impl<'m> linkage_runtime::support::Compiled for Compiled<'m> {
         };
         let numbers = self.numbers(modes, &none);
         let bearings = &self.mechanism.compiled.bearings;
-        pairs(&by_build(bearings, |source| numbers.load(source)))
+        let multiply_adds = self.mechanism.multiply_adds;
+        pairs(&by_build(multiply_adds, bearings, |source| {
+            numbers.load(source)
+        }))
     }
 }
 

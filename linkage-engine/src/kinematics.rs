@@ -62,10 +62,10 @@ impl Mechanism {
     /// # Errors
     ///
     /// As the method `circuits` of the macro's struct.
-    pub fn circuits<'m>(
-        &'m self,
-        dimensions: &'m [f64],
-    ) -> Option<Result<Circuits<Assembly<'m>>, AssemblyError>> {
+    pub fn circuits(
+        &self,
+        dimensions: &[f64],
+    ) -> Option<Result<Circuits<Assembly<'_>>, AssemblyError>> {
         let searched = self.compiled.inputs.len() == 1 && !self.compiled.groups.is_empty();
         searched.then(|| circuits_of(&Compiled::new(self, dimensions)))
     }

@@ -14,7 +14,7 @@
 //! | close the loops | [`Mechanism::assemble`], [`Mechanism::assemblies`] |
 //! | keep an assembly of other dimensions | [`Mechanism::assemble_from`] |
 //! | search the range of the input | [`Mechanism::circuits`], [`Assembly::check_range`] |
-//! | compute one position | [`Assembly::call`] |
+//! | compute one position | [`Assembly::call`], [`Assembly::results`] by names |
 //! | compute many positions | [`Assembly::sweep`], [`Assembly::sweep_parallel_into`] |
 //! | compute many mechanisms | [`Assembly::sweep_sets`] |
 //! | see effects of tolerances | [`Mechanism::sensitive_quantities`] |
@@ -40,6 +40,7 @@ mod messages;
 mod normal;
 mod numbers;
 mod operations;
+mod results;
 mod source;
 mod sweep;
 mod tolerance_effects;
@@ -48,11 +49,12 @@ pub use columns::Columns;
 pub use compiled::Assembly;
 pub use error::{CompileError, SourceError, ToleranceError, UnknownFunction};
 pub use linkage_runtime::{
-    AssemblyError, AssemblyMode, Circuits, Estimate, Heading, Input, Parameter, RangeReport,
-    Structure, Table,
+    AssemblyError, AssemblyMode, Branch, BranchEnd, Circuits, Estimate, Heading, Input, Parameter,
+    RangeReport, Structure, Table,
 };
 pub use mechanism::{Mechanism, compile};
 pub use messages::{rendered, rendered_warning};
 pub use normal::normal_form;
+pub use results::Results;
 pub use source::{MechanismCall, Source};
 pub use tolerance_effects::{SensitiveQuantity, ToleranceEffects};

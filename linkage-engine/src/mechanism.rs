@@ -14,6 +14,7 @@ use linkage_symbolic::blocks::BlockProgram;
 
 use crate::error::{CompileError, UnknownFunction};
 use crate::messages::rendered;
+use crate::operations::MultiplyAdds;
 use crate::source::Source;
 use forever::forever;
 
@@ -31,6 +32,7 @@ pub struct Mechanism {
     warnings: String,
     /// The programs of sweeps, made when they are first needed.
     pub(crate) block_programs: Vec<OnceLock<BlockProgram>>,
+    pub(crate) multiply_adds: MultiplyAdds,
 }
 
 /// Compiles all mechanisms of a text; `name` stands in messages. It is that of the text's file, and
@@ -104,8 +106,33 @@ impl Mechanism {
             headings: describe::headings(&compiled),
             block_programs: vec![OnceLock::new(); compiled.functions.len()],
             warnings: String::new(),
+            multiply_adds: MultiplyAdds::default(),
             compiled,
         })
+    }
+
+    /// Returns the same mechanism with multiply-adds that are rounded once on every machine. Its
+    /// numbers are those of a machine that has the instruction; they take longer where it is missing.
+    ///
+    /// ```
+    /// use linkage_engine::Mechanism;
+    ///
+    /// let text = "
+    ///     pub struct Square { unit mm; param a = 1; input x = 1 in 0..2; let y = a * a + x; }
+    ///     impl Square { pub fn y(x) -> Y { y } }";
+    /// let mechanism = Mechanism::compile(text)?.with_fused_multiply_adds();
+    /// let last_digit = 1.0 + f64::EPSILON;
+    /// let assembly = mechanism.assemble(&[last_digit])?;
+    /// let y = assembly.call(mechanism.function("y")?, &[-1.0 - 2.0 * f64::EPSILON]);
+    /// assert_eq!(y, [f64::EPSILON * f64::EPSILON]);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    #[must_use]
+    pub fn with_fused_multiply_adds(self) -> Self {
+        Self {
+            multiply_adds: MultiplyAdds::Fused,
+            ..self
+        }
     }
 
     /// Returns the name of its struct.

@@ -1,6 +1,6 @@
 //! Numbers that programs load.
 
-use linkage_runtime::support::{Dispatch, InitialState, Revolutions, dispatch, inlined};
+use linkage_runtime::support::{Dispatch, InitialState, Revolutions};
 use linkage_runtime::{AssemblyMode, Scalar};
 use linkage_symbolic::program::Source;
 
@@ -47,12 +47,12 @@ pub(crate) struct States<'a> {
 impl States<'_> {
     /// The states at the inputs, each with its floor, by the instructions of the build.
     pub(crate) fn by_build(self) -> Vec<Vec<f64>> {
-        inlined(&self, [] as [f64; 0])
+        self.mechanism.multiply_adds.by_build(&self)
     }
 
     /// The same with fused multiply-add if the machine has it.
     pub(crate) fn by_machine(self) -> Vec<Vec<f64>> {
-        dispatch(&self, [] as [f64; 0])
+        self.mechanism.multiply_adds.by_machine(&self)
     }
 }
 

@@ -6,6 +6,34 @@ use linkage_runtime::{Enclosure, FUSED};
 use linkage_symbolic::interpret::run_by;
 use linkage_symbolic::program::{Program, Source};
 
+/// The rounding of multiply-adds.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub(crate) enum MultiplyAdds {
+    /// As in generated code: once where it has the instruction, else twice.
+    #[default]
+    Generated,
+    /// Once on every machine.
+    Fused,
+}
+
+impl MultiplyAdds {
+    /// The value of a function, with the instructions of the build.
+    pub(crate) fn by_build<R>(self, function: &impl Dispatch<f64, R, 0>) -> R {
+        match self {
+            Self::Generated => inlined(function, []),
+            Self::Fused => function.at::<true>([]),
+        }
+    }
+
+    /// The value of a function, with fused multiply-add if the machine has it.
+    pub(crate) fn by_machine<R>(self, function: &impl Dispatch<f64, R, 0>) -> R {
+        match self {
+            Self::Generated => dispatch(function, []),
+            Self::Fused => function.at::<true>([]),
+        }
+    }
+}
+
 /// A program with the numbers that it loads. The sines of a call may be rounded differently if it
 /// is `ALONE`.
 struct Run<'a, L, const ALONE: bool> {
@@ -14,16 +42,24 @@ struct Run<'a, L, const ALONE: bool> {
 }
 
 /// The outputs of a program, with the instructions of the build.
-pub(crate) fn by_build(program: &Program, load: impl Fn(Source) -> f64) -> Vec<f64> {
-    inlined(&Run::<_, false> { program, load }, [])
+pub(crate) fn by_build(
+    multiply_adds: MultiplyAdds,
+    program: &Program,
+    load: impl Fn(Source) -> f64,
+) -> Vec<f64> {
+    multiply_adds.by_build(&Run::<_, false> { program, load })
 }
 
 /// The outputs of a function, as its calls compute them.
-pub(crate) fn called(body: &Body, load: impl Fn(Source) -> f64) -> Vec<f64> {
+pub(crate) fn called(
+    multiply_adds: MultiplyAdds,
+    body: &Body,
+    load: impl Fn(Source) -> f64,
+) -> Vec<f64> {
     let program = &body.program;
     match body.compares_sines {
-        true => dispatch(&Run::<_, false> { program, load }, []),
-        false => dispatch(&Run::<_, true> { program, load }, []),
+        true => multiply_adds.by_machine(&Run::<_, false> { program, load }),
+        false => multiply_adds.by_machine(&Run::<_, true> { program, load }),
     }
 }
 

@@ -8,7 +8,7 @@ use std::sync::OnceLock;
 use std::thread;
 
 use linkage_compiler::ir::{Function, Generated};
-use linkage_runtime::support::{Dispatch, dispatch};
+use linkage_runtime::support::Dispatch;
 use linkage_symbolic::Binding;
 use linkage_symbolic::blocks::{BLOCK, BlockProgram};
 use linkage_symbolic::program::{Instruction, Program, Source};
@@ -306,9 +306,10 @@ fn run<'c>(
         loads,
         columns: &columns,
     };
+    let multiply_adds = loads.mechanism().multiply_adds;
     match compares_sines {
-        true => dispatch(&Rounded::<false>(run), []),
-        false => dispatch(&Rounded::<true>(run), []),
+        true => multiply_adds.by_machine(&Rounded::<false>(run)),
+        false => multiply_adds.by_machine(&Rounded::<true>(run)),
     }
     columns.into_inner()
 }

@@ -1,10 +1,11 @@
 //! A driven carriage with a plate fixed to it, which carries a crank that a second input turns, and a bar that a loop ties to the frame.
 
-use linkage::{Vector2, mechanism};
+use linkage::Vector2;
+use linkage_interpreted::interpreted;
 
 use super::{Body, Instant, Kind, NEWTON, Vector, disc, each, flat, pin};
 
-mechanism! {
+interpreted! {
     pub struct Carriage {
         unit mm;
         param lean = 15deg;

@@ -1,10 +1,11 @@
 //! A linear drive: a hydraulic cylinder lifts a boom.
 
-use linkage::{Vector2, mechanism};
+use linkage::Vector2;
+use linkage_interpreted::interpreted;
 
 use super::{Instant, Kind, NEWTON, Rate, Vector, disc, each, energy_rate, flat, pin};
 
-mechanism! {
+interpreted! {
     pub struct Boom {
         unit mm;
         param arm = 300mm;

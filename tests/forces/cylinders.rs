@@ -1,12 +1,12 @@
 //! RCCC: a crank and three cylindrical pairs, its coupler a body with a frame, its rocker one that turns by an angle.
 
-use linkage::mechanism;
+use linkage_interpreted::interpreted;
 use nalgebra::Matrix3;
 
 use super::rssr::spin;
 use super::{Body, Instant, Kind, NEWTON, Rate, Vector, each, energy_rate};
 
-mechanism! {
+interpreted! {
     pub struct Rccc {
         unit mm;
         param a12 = 30mm;

@@ -1,8 +1,9 @@
 //! Derivatives of forces by dimensions and by the input against differences of the same functions.
 
-use linkage::{Dimensions, mechanism};
+use linkage::Dimensions;
+use linkage_interpreted::interpreted;
 
-mechanism! {
+interpreted! {
     pub struct Rocking {
         unit mm;
         param a = 40mm;
@@ -44,7 +45,7 @@ mechanism! {
     }
 }
 
-mechanism! {
+interpreted! {
     pub struct Swinging {
         unit mm;
         param crank = 30mm;

@@ -1,10 +1,11 @@
 //! Which joints an input drives: one whose angle a loop ties to the input is, one that another link holds is not.
 
-use linkage::{Vector2, mechanism};
+use linkage::Vector2;
+use linkage_interpreted::interpreted;
 
 use super::{Body, Instant, NEWTON, Rate, Vector, each, flat, pin};
 
-mechanism! {
+interpreted! {
     /// A crank at half speed, by a loop; a driven crank, a parallel one that follows, and the coupler between them.
     pub struct Parallel {
         unit mm;

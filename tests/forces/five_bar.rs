@@ -1,10 +1,11 @@
 //! Two inputs, each with its own speed and acceleration.
 
-use linkage::{Vector2, mechanism};
+use linkage::Vector2;
+use linkage_interpreted::interpreted;
 
 use super::{Body, Instant, NEWTON, Vector, disc, each, flat, pin};
 
-mechanism! {
+interpreted! {
     pub struct FiveBar {
         unit mm;
         param crank = 30mm;

@@ -1,11 +1,12 @@
 //! Dyad RRR, with everything that the plane knows: several masses, inertia about a point, springs and dampers between points and in joints, loads
 //! as arguments.
 
-use linkage::{Vector2, mechanism};
+use linkage::Vector2;
+use linkage_interpreted::interpreted;
 
 use super::{Instant, NEWTON, Rate, Vector, disc, each, energy_rate, flat, pin};
 
-mechanism! {
+interpreted! {
     pub struct FourBar {
         unit mm;
         param a = 40mm;

@@ -1,11 +1,12 @@
 //! Gears beside a guide: block and lever turn alike because of the slide, the wheel on the lever because of its teeth. The coupler of a
 //! four-bar in two welded halves.
 
-use linkage::{Vector2, mechanism};
+use linkage::Vector2;
+use linkage_interpreted::interpreted;
 
 use super::{Instant, Kind, NEWTON, Rate, Vector, disc, each, flat, pin};
 
-mechanism! {
+interpreted! {
     pub struct GearedLever {
         unit mm;
         param a = 40mm;
@@ -48,7 +49,7 @@ mechanism! {
     }
 }
 
-mechanism! {
+interpreted! {
     pub struct Welded {
         unit mm;
         param a = 40mm;

@@ -1,10 +1,11 @@
 //! Gears: one shaft turns a crank at half speed, and two cranks of a five-bar are tied to each other.
 
-use linkage::{Vector2, mechanism};
+use linkage::Vector2;
+use linkage_interpreted::interpreted;
 
 use super::{Instant, NEWTON, Rate, Vector, disc, each, energy_rate, flat, pin};
 
-mechanism! {
+interpreted! {
     /// The rocker of a four-bar that a half-speed shaft drives turns a wheel by gears, beside a flywheel on the shaft itself.
     pub struct Geared {
         unit mm;
@@ -61,7 +62,7 @@ mechanism! {
     }
 }
 
-mechanism! {
+interpreted! {
     /// A five-bar whose other crank turns with the first coupler by gears on that coupler's ends.
     pub struct Tied {
         unit mm;

@@ -1,11 +1,12 @@
 //! Dyads of two slides. RPP: a block on the crank's pin in the slot of a yoke that slides on the frame. PRP: a block in a slot of the crank,
 //! pinned to a slider on the frame.
 
-use linkage::{Vector2, mechanism};
+use linkage::Vector2;
+use linkage_interpreted::interpreted;
 
 use super::{Instant, Kind, NEWTON, Rate, Vector, disc, each, energy_rate, flat, pin};
 
-mechanism! {
+interpreted! {
     pub struct Yoke {
         unit mm;
         param a = 40mm;
@@ -46,7 +47,7 @@ mechanism! {
     }
 }
 
-mechanism! {
+interpreted! {
     pub struct Cross {
         unit mm;
         param high = 60mm;

@@ -6,7 +6,7 @@ use super::{Instant, Kind, NEWTON, Rate, Vector, disc, each, energy_rate, flat, 
 
 macro_rules! quick_return {
     ($name:ident, $forces:ident, { $($bodies:tt)* } $($functions:tt)*) => {
-        linkage::mechanism! {
+        linkage_interpreted::interpreted! {
             pub struct $name {
                 unit mm;
                 param a = 40mm;

@@ -1,11 +1,11 @@
 //! Driven chains in space, where only inertia acts: a rotor with products of inertia on a turning arm, a plate fixed to it; a cylindrical pair.
 
-use linkage::mechanism;
+use linkage_interpreted::interpreted;
 use nalgebra::{Matrix3, Rotation3, Unit};
 
 use super::{Body, Instant, Kind, NEWTON, Random, Vector};
 
-mechanism! {
+interpreted! {
     pub struct Rotor {
         unit mm;
         param m1 = 1kg;

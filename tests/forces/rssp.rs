@@ -1,12 +1,12 @@
 //! RSSP: a crank drives a slider along a line in space by a rod between two ball joints. The crank has a frame and an inertia matrix.
 
-use linkage::mechanism;
+use linkage_interpreted::interpreted;
 use nalgebra::Matrix3;
 
 use super::rssr::{spin, swing};
 use super::{Body, Instant, Kind, NEWTON, Rate, Vector, each, energy_rate};
 
-mechanism! {
+interpreted! {
     pub struct Rssp {
         unit mm;
         param crank = 30mm;

@@ -1,11 +1,12 @@
 //! RSSR: a crank that turns by an angle, a slender rod between two ball joints, a rocker with a frame and an inertia matrix.
 
-use linkage::{Vector3, mechanism};
+use linkage::Vector3;
+use linkage_interpreted::interpreted;
 use nalgebra::{Matrix3, Rotation3, Unit};
 
 use super::{Body, Instant, Kind, NEWTON, Rate, Vector, each, energy_rate};
 
-mechanism! {
+interpreted! {
     pub struct Rssr {
         unit mm;
         param crank = 30mm;

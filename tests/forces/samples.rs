@@ -55,7 +55,7 @@ impl Rate {
 
 /// Mechanisms with dimensions near the defaults and masses and stiffnesses of any proportion. `run` says whether it compared something.
 #[track_caller]
-pub(crate) fn each<M: Dimensions<N>, const N: usize>(
+pub(crate) fn each<M: Dimensions<N> + Default, const N: usize>(
     seed: u64,
     mut run: impl FnMut(M, &mut Random) -> bool,
 ) {
@@ -63,7 +63,7 @@ pub(crate) fn each<M: Dimensions<N>, const N: usize>(
     let mut compared = 0;
     for _ in 0..150 {
         let mut values = [0.0; N];
-        for (value, parameter) in values.iter_mut().zip(M::PARAMETERS) {
+        for (value, parameter) in values.iter_mut().zip(M::default().parameters()) {
             let is_geometry = matches!(parameter.unit, "mm" | "m" | "rad" | "");
             *value = match is_geometry {
                 true => parameter.nominal * random.between(0.94, 1.06),

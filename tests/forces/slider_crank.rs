@@ -7,7 +7,7 @@ use super::{Instant, Kind, NEWTON, Rate, Vector, disc, each, energy_rate, flat, 
 
 macro_rules! slider_crank {
     ($name:ident, $forces:ident, { $($slider:tt)* } $($functions:tt)*) => {
-        linkage::mechanism! {
+        linkage_interpreted::interpreted! {
             pub struct $name {
                 unit mm;
                 param a = 40mm;

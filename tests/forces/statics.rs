@@ -1,8 +1,8 @@
 //! Limits by hand: loads on bodies without mass, at rest.
 
-use linkage::mechanism;
+use linkage_interpreted::interpreted;
 
-mechanism! {
+interpreted! {
     pub struct Slider {
         unit mm;
         param a = 40mm;
@@ -26,7 +26,7 @@ mechanism! {
     }
 }
 
-mechanism! {
+interpreted! {
     /// Two links in a line, nearly: what the ram presses with for each unit of torque grows without bound.
     pub struct Toggle {
         unit mm;
@@ -49,7 +49,7 @@ mechanism! {
     }
 }
 
-mechanism! {
+interpreted! {
     /// A slider on the x axis, held by a block on an arm that turns about the origin: parallel guides at phi = 0.
     pub struct Wedge {
         unit mm;
@@ -70,7 +70,7 @@ mechanism! {
     }
 }
 
-mechanism! {
+interpreted! {
     /// Coupler and rocker are stretched at phi = 0, where the crank lies in their line, too: a change point.
     #[allow(deprecated)]
     pub struct Stretched {

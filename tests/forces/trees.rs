@@ -4,7 +4,7 @@ use super::{Random, Rate};
 
 macro_rules! four_bar {
     ($name:ident, $forces:ident, $($bodies:tt)*) => {
-        linkage::mechanism! {
+        linkage_interpreted::interpreted! {
             pub struct $name {
                 unit mm;
                 param a = 40mm;

@@ -1,10 +1,11 @@
 //! A triad: a ternary link on three legs.
 
-use linkage::{Vector2, mechanism};
+use linkage::Vector2;
+use linkage_interpreted::interpreted;
 
 use super::{Instant, NEWTON, Rate, Vector, disc, each, energy_rate, flat, pin};
 
-mechanism! {
+interpreted! {
     pub struct Platform {
         unit mm;
         param crank = 40mm;

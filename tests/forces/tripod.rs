@@ -1,12 +1,13 @@
 //! Three driven legs in space meet in a point: barrels on ball joints, rods that slide in them, the load in the point.
 
-use linkage::{Vector3, mechanism};
+use linkage::Vector3;
+use linkage_interpreted::interpreted;
 use nalgebra::Matrix3;
 
 use super::rssr::swing;
 use super::{Body, Instant, Kind, NEWTON, Vector, each};
 
-mechanism! {
+interpreted! {
     pub struct Tripod {
         unit mm;
         param foot = 100mm;

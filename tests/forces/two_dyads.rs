@@ -1,10 +1,11 @@
 //! Two chains on each other, as in a sewing machine's needle drive: a rocker carries the guide of a needle that a second crank drives by a rod.
 
-use linkage::{Vector2, mechanism};
+use linkage::Vector2;
+use linkage_interpreted::interpreted;
 
 use super::{Instant, Kind, NEWTON, Rate, Vector, disc, each, energy_rate, flat, pin};
 
-mechanism! {
+interpreted! {
     pub struct NeedleDrive {
         unit mm;
         param a = 12mm;

@@ -1,10 +1,11 @@
 //! A disc in space with a mass beside the plane in which its inertia is given: by hand.
 
-use linkage::{Vector3, mechanism};
+use linkage::Vector3;
+use linkage_interpreted::interpreted;
 
 use super::{NEWTON, Random};
 
-mechanism! {
+interpreted! {
     pub struct Disc {
         unit mm;
         param radius = 30mm;

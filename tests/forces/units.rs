@@ -5,7 +5,7 @@ use super::Random;
 macro_rules! in_unit {
     ($module:ident, $unit:ident) => {
         mod $module {
-            linkage::mechanism! {
+            linkage_interpreted::interpreted! {
                 pub struct Slider {
                     unit $unit;
                     param a = 40mm;
@@ -102,9 +102,9 @@ fn units_agree() {
 #[test]
 fn fields() {
     let [small, large, inch] = [
-        in_mm::Slider::PARAMETERS,
-        in_m::Slider::PARAMETERS,
-        in_inch::Slider::PARAMETERS,
+        in_mm::Slider::parameters(),
+        in_m::Slider::parameters(),
+        in_inch::Slider::parameters(),
     ];
     let unit =
         |parameters: &[linkage::Parameter]| parameters.iter().map(|p| p.unit).collect::<Vec<_>>();

@@ -1,9 +1,10 @@
 //! Sizes beyond 1e150, where squares leave the range of numbers: the components of a result are all finite, or all NaN.
 
-use linkage::{Dimensions, mechanism};
+use linkage::Dimensions;
+use linkage_interpreted::interpreted;
 use linkage_random::Random;
 
-mechanism! {
+interpreted! {
     struct Rrr {
         param pivot = (80mm, 10mm);
         param crank = 30mm;
@@ -22,7 +23,7 @@ mechanism! {
     }
 }
 
-mechanism! {
+interpreted! {
     struct Rrp {
         param crank = 30mm;
         param rod = 90mm;
@@ -39,7 +40,7 @@ mechanism! {
     }
 }
 
-mechanism! {
+interpreted! {
     struct Rpr {
         param pivot = (10mm, 70mm);
         param crank = 30mm;
@@ -57,7 +58,7 @@ mechanism! {
     }
 }
 
-mechanism! {
+interpreted! {
     struct Rssr {
         param crank = 30mm;
         param coupler = 130mm;
@@ -75,7 +76,7 @@ mechanism! {
     }
 }
 
-mechanism! {
+interpreted! {
     struct Point {
         param crank = 10mm;
         param leg = 90mm;
@@ -94,7 +95,7 @@ mechanism! {
     }
 }
 
-mechanism! {
+interpreted! {
     struct Rssp {
         param crank = 30mm;
         param rod = 150mm;
@@ -110,7 +111,7 @@ mechanism! {
     }
 }
 
-mechanism! {
+interpreted! {
     struct Scalars {
         param crank = 30mm;
         param rod = 90mm;

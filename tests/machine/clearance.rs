@@ -12,7 +12,7 @@ use std::f64::consts::TAU;
 
 const CYCLE: (f64, f64) = (0.0, TAU);
 const POSITIONS: usize = 97;
-const PARAMETERS: usize = TwoNeedles::PARAMETERS.len();
+const PARAMETERS: usize = TwoNeedles::SCALARS;
 
 type Point = [Vector2<f64>; 3];
 
@@ -35,7 +35,7 @@ fn clearance(needles: &TwoNeedlesAssembly) -> Clearance<2> {
     let found = Clearance::swept(
         CYCLE,
         POSITIONS,
-        |i| shapes(rows.get(i)),
+        |i| shapes(rows[i]),
         |x| shapes(needles.tips(x)),
     );
     found.expect("assembled")
@@ -77,7 +77,7 @@ fn two_needles() -> Outcome {
             );
         }
         let least = found.least();
-        let of = |name: &str| derivatives(&case["least"][name], "", TwoNeedles::PARAMETERS);
+        let of = |name: &str| derivatives(&case["least"][name], "", TwoNeedles::parameters());
         let value = error(&sensitivity(&needles, least), &of("value_sensitivity"));
         let (e, rate) = (needles.accuracy(least.at), needles.rates(least.at));
         let shift = least.shift([[e.hook, rate.hook]], [[e.eye, rate.eye]]);
@@ -86,7 +86,7 @@ fn two_needles() -> Outcome {
         assert!(value < 1e-12 && shift < 1e-11);
 
         // Every minimum with its own error: less is left than of the least distance alone.
-        let tolerances = Tolerances::<PARAMETERS>::complete(TwoNeedles::PARAMETERS)?;
+        let tolerances = Tolerances::<PARAMETERS>::complete(TwoNeedles::parameters())?;
         let left = found.guaranteed(&tolerances, |nearest| sensitivity(&needles, nearest));
         let [alone] = tolerances
             .effects(&sensitivity(&needles, least))

@@ -164,7 +164,7 @@ fn three_drives() -> Outcome {
     let hook = Drive {
         name: "hook",
         turns: 2.0,
-        parameters: TwoNeedles::PARAMETERS,
+        parameters: TwoNeedles::parameters(),
         jet: &|x| {
             let m = needles.height(x);
             [m.y, m.v, m.a]
@@ -175,7 +175,7 @@ fn three_drives() -> Outcome {
     let eye = Drive {
         name: "eye",
         turns: 1.0,
-        parameters: TwoNeedles::PARAMETERS,
+        parameters: TwoNeedles::parameters(),
         jet: &|x| {
             let m = needles.arc(x);
             [m.s, m.v, m.a]
@@ -187,7 +187,7 @@ fn three_drives() -> Outcome {
     let triad = Drive {
         name: "triad",
         turns: 1.0,
-        parameters: TwoCranks::PARAMETERS,
+        parameters: TwoCranks::parameters(),
         jet: &|x| {
             let m = cranks.slide(x);
             [m.s, m.v, m.a]
@@ -223,7 +223,7 @@ fn three_drives() -> Outcome {
     };
     triad.compare_bounds(changed, Band::Top(0.1));
 
-    let tolerances = Tolerances::<14>::complete(TwoCranks::PARAMETERS)?;
+    let tolerances = Tolerances::<14>::complete(TwoCranks::parameters())?;
     let bands = [Band::Top(0.1), Band::Bottom(0.1)];
     let machine = Cyclogram::new([
         hook.member(&bands)?,

@@ -1,8 +1,8 @@
 //! The drives of a warp-knitting machine on one shaft.
 
-use linkage::mechanism;
+use linkage_interpreted::interpreted;
 
-mechanism! {
+interpreted! {
     /// Hook needle and eye needle on one main shaft, which turns once in a cycle; the eye needle's frame is placed
     /// beside the hook needle's.
     pub struct TwoNeedles {
@@ -106,7 +106,7 @@ mechanism! {
     }
 }
 
-mechanism! {
+interpreted! {
     /// The straight-line drive with two cranks.
     pub struct TwoCranks {
         unit mm;

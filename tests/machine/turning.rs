@@ -1,8 +1,9 @@
 //! Parts that a turning body carries: what the drive gives is what all masses, weights and springs take.
 
-use linkage::{Vector2, mechanism};
+use linkage::Vector2;
+use linkage_interpreted::interpreted;
 
-mechanism! {
+interpreted! {
     /// A slider-crank with masses and a spring.
     pub struct Tool {
         unit mm;

@@ -74,7 +74,7 @@ fn guides() {
 macro_rules! dyads {
     ($name:ident { $($loops:tt)* }) => {
         fn $name(phi: f64) -> Vec<([f64; 2], f64)> {
-            linkage::mechanism! {
+            linkage_interpreted::interpreted! {
                 struct Mechanism {
                     unit mm;
                     input phi = 60deg;

@@ -22,7 +22,7 @@ fn expect_alike(all: &[(&str, Vec<f64>)]) {
 macro_rules! spellings {
     (@one [$($common:tt)*] $name:ident { $($items:tt)* }) => {
         fn $name(phi: f64) -> Vec<f64> {
-            linkage::mechanism! {
+            linkage_interpreted::interpreted! {
                 struct Mechanism {
                     unit mm;
                     $($common)*

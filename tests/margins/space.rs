@@ -6,7 +6,7 @@ type Place = ([[f64; 3]; 4], f64);
 macro_rules! spellings {
     ($($name:ident { $($items:tt)* })*) => {
         $(fn $name(phi: f64) -> Vec<Place> {
-            linkage::mechanism! {
+            linkage_interpreted::interpreted! {
                 struct Mechanism {
                     unit mm;
                     input phi = 40deg;

@@ -26,7 +26,7 @@ macro_rules! spellings {
         $(mod $module {
             use super::{Case, Legs};
 
-            linkage::mechanism! {
+            linkage_interpreted::interpreted! {
                 struct Mechanism {
                     unit mm;
                     param ground = 40mm;

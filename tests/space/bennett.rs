@@ -1,10 +1,10 @@
 //! Bennett's linkage: four skew hinges that move by their dimensions alone. One equation determines it, three more follow.
 
-use linkage::mechanism;
+use linkage_interpreted::interpreted;
 
 use super::close;
 
-mechanism! {
+interpreted! {
     pub struct Bennett {
         unit mm;
         // Opposite links are equal, and the sines of their twists are as their lengths.

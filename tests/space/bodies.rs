@@ -1,11 +1,12 @@
 //! Bodies as unknowns: a platform on six rods that meet by three, two and one.
 
-use linkage::{Screw, Vector3, mechanism};
+use linkage::{Screw, Vector3};
+use linkage_interpreted::interpreted;
 use nalgebra::Rotation3;
 
 use super::{close, differences, newton};
 
-mechanism! {
+interpreted! {
     pub struct Platform {
         unit mm;
         param far = (60mm, 0mm, 5mm);
@@ -34,7 +35,7 @@ mechanism! {
     }
 }
 
-mechanism! {
+interpreted! {
     /// A pendulum that hangs on a ball joint and is held by two rods at points of its y and z axes: its x axis is not asked for.
     pub struct Held {
         unit mm;
@@ -143,7 +144,7 @@ fn derivatives_of_a_body_are_differences() {
     }
 }
 
-mechanism! {
+interpreted! {
     /// A body on a ball joint with two inputs, in an order of turns that is known.
     pub struct Wrist {
         unit mm;
@@ -228,7 +229,7 @@ fn the_screw_of_a_body_is_that_between_two_poses() {
 
 #[test]
 fn the_axis_that_no_point_needs_is_the_product_of_the_others() {
-    let kinds = Held::STRUCTURE.groups.iter().map(|group| group.unknowns);
+    let kinds = Held::structure().groups.iter().map(|group| group.unknowns);
     let found: Vec<&str> = kinds.flatten().copied().collect();
     assert_eq!(found, ["body.origin", "body.z", "body.y"]);
     let body = Held::default()

@@ -1,10 +1,10 @@
 //! RCCC: a crank and three cylindrical pairs. The directions are a spherical four-bar, the slides follow from one loop of three rows.
 
-use linkage::mechanism;
+use linkage_interpreted::interpreted;
 
 use super::{close, differences};
 
-mechanism! {
+interpreted! {
     pub struct Rccc {
         unit mm;
         param a12 = 30mm;

@@ -1,10 +1,11 @@
 //! Plane and space in one mechanism: a planar four-bar drives a rocker in space, which drives a planar slider.
 
-use linkage::{Vector2, Vector3, mechanism};
+use linkage::{Vector2, Vector3};
+use linkage_interpreted::interpreted;
 
 use super::{close, differences, turned};
 
-mechanism! {
+interpreted! {
     pub struct Mixed {
         unit mm;
         param crank = 20mm;

@@ -1,9 +1,10 @@
 //! A platform on six legs that meet in three points of it: each of these points runs on a circle about the line between the feet of its legs, so that
 //! three unknowns remain of nine. All real assemblies against those of a published method, computed with 80 digits.
 
-use linkage::{Vector3, mechanism};
+use linkage::Vector3;
+use linkage_interpreted::interpreted;
 
-mechanism! {
+interpreted! {
     /// The feet lie in a plane.
     pub struct Flat {
         unit mm;
@@ -26,7 +27,7 @@ mechanism! {
     }
 }
 
-mechanism! {
+interpreted! {
     /// The feet lie at different heights.
     pub struct Hilly {
         unit mm;
@@ -148,7 +149,7 @@ fn compare(found: &[[Vector3<f64>; 3]], known: &[[[f64; 3]; 3]]) {
 
 #[test]
 fn all_assemblies_on_feet_in_a_plane_are_found() {
-    let group = &Flat::STRUCTURE.groups[0];
+    let group = &Flat::structure().groups[0];
     assert_eq!(group.kind, "3 loops in space");
     assert_eq!(group.loops.len(), 9);
     let all = Flat::default().assemblies().expect("they are listed");

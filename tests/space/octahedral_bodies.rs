@@ -1,10 +1,11 @@
 //! Platforms whose six legs meet in three points of it, as one unknown body: all real assemblies, and what each of the legs does to each of them,
 //! against those of a published method, computed with 80 digits.
 
-use linkage::{Vector3, mechanism};
+use linkage::Vector3;
+use linkage_interpreted::interpreted;
 use serde_json::Value;
 
-mechanism! {
+interpreted! {
     /// The same platform on flat feet as one unknown body.
     pub struct FlatBody {
         unit mm;
@@ -34,7 +35,7 @@ mechanism! {
     }
 }
 
-mechanism! {
+interpreted! {
     /// Three feet, each of two legs.
     pub struct OctahedralBody {
         unit mm;
@@ -140,7 +141,7 @@ macro_rules! moving {
 /// Two rods meet in each of three points of the body, so that three angles remain of its nine unknowns.
 #[test]
 fn a_body_on_pairs_of_legs_has_all_assemblies_of_its_points() {
-    let group = &FlatBody::<f64>::STRUCTURE.groups[0];
+    let group = &FlatBody::structure().groups[0];
     assert_eq!((group.kind, group.loops.len()), ("3 loops in space", 6));
     let all = FlatBody::default().assemblies().expect("they are listed");
     let found = all.iter().map(|own| moving!(own, 360.5723));

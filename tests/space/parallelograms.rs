@@ -1,10 +1,11 @@
 //! A lamp on a double parallelogram: two in a row keep the shade as it is turned. Each has a third rod, which follows from the other two.
 
-use linkage::{Vector2, mechanism};
+use linkage::Vector2;
+use linkage_interpreted::interpreted;
 
 use super::close;
 
-mechanism! {
+interpreted! {
     pub struct Lamp {
         unit mm;
         param lower = 300mm;

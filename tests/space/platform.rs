@@ -1,11 +1,12 @@
 //! A platform on three legs that swing about axes in the base: three ball joints at given distances, a coupled group.
 
-use linkage::{Vector3, mechanism};
+use linkage::Vector3;
+use linkage_interpreted::interpreted;
 use std::f64::consts::{PI, TAU};
 
 use super::{close, differences, newton, turned};
 
-mechanism! {
+interpreted! {
     pub struct Platform {
         unit mm;
         param base = 100mm;

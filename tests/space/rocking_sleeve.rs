@@ -1,11 +1,12 @@
 //! A rocker that may slide along its axis, its link hinged to the crank: an angle and a slide together, no closed form.
 
-use linkage::{Vector3, mechanism};
+use linkage::Vector3;
+use linkage_interpreted::interpreted;
 use std::f64::consts::{PI, TAU};
 
 use super::{close, differences, newton, turned};
 
-mechanism! {
+interpreted! {
     pub struct Sleeve {
         unit mm;
         param crank = 30mm;

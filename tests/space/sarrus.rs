@@ -1,11 +1,12 @@
 //! Sarrus' linkage: two legs of three parallel hinges each, in different planes, guide a plate straight. Five of the six equations of its closed
 //! chain determine it, the last one follows.
 
-use linkage::{Vector3, mechanism};
+use linkage::Vector3;
+use linkage_interpreted::interpreted;
 
 use super::close;
 
-mechanism! {
+interpreted! {
     /// The legs' planes go through the axis of z, at 70 degrees to each other. With these lengths two other assemblies, mirror images of each
     /// other, meet at the reference.
     pub struct Sarrus {

@@ -1,11 +1,11 @@
 //! Platforms on six legs from their pose to the drives: feet that slide on rails (hexaglide), and feet on arms that motors turn.
 
-use linkage::mechanism;
+use linkage_interpreted::interpreted;
 use nalgebra::{Rotation3, Vector3};
 
 use super::{close, differences};
 
-mechanism! {
+interpreted! {
     /// Six sleds on two rails along x.
     pub struct Hexaglide {
         unit mm;
@@ -87,7 +87,7 @@ fn poses() -> impl Iterator<Item = [f64; 6]> {
 fn sleds_are_where_their_legs_reach_the_rails() {
     let glide = Hexaglide::default().assemble().expect("it assembles");
     assert!(
-        Hexaglide::STRUCTURE
+        Hexaglide::structure()
             .groups
             .iter()
             .all(|own| own.kind == "SSP")
@@ -114,7 +114,7 @@ fn sleds_are_where_their_legs_reach_the_rails() {
     }
 }
 
-mechanism! {
+interpreted! {
     /// Six motors on the base, each with an arm and a rod, whose shafts lie along the sides of a hexagon.
     pub struct Rotary {
         unit mm;
@@ -181,7 +181,12 @@ fn motor(pose: [f64; 6], motor: usize) -> f64 {
 #[test]
 fn arms_stand_where_their_rods_reach_the_platform() {
     let platform = Rotary::default().assemble().expect("it assembles");
-    assert!(Rotary::STRUCTURE.groups.iter().all(|own| own.kind == "SSR"));
+    assert!(
+        Rotary::structure()
+            .groups
+            .iter()
+            .all(|own| own.kind == "SSR")
+    );
     for pose in poses() {
         let [x, y, z, roll, pitch, yaw] = pose;
         let pose = [

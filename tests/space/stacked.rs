@@ -1,10 +1,11 @@
 //! A point that is unknown together with two rockers: distances about one point are subtracted from each other.
 
-use linkage::{Vector3, mechanism};
+use linkage::Vector3;
+use linkage_interpreted::interpreted;
 
 use super::{close, differences};
 
-mechanism! {
+interpreted! {
     pub struct Stacked {
         unit mm;
         param l = 100mm;
@@ -62,7 +63,7 @@ fn rates_are_differences() {
     }
 }
 
-mechanism! {
+interpreted! {
     /// The same, driven by the length of a rod between the rockers.
     pub struct Driven {
         unit mm;

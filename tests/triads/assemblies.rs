@@ -36,9 +36,9 @@ fn size([x, y]: Point) -> f64 {
 #[test]
 fn characteristic_polynomials_have_the_degrees_of_the_table() {
     let mut random = Random::new(11);
-    for kind in kinds::KINDS {
+    for kind in &kinds::KINDS {
         for _ in 0..20 {
-            let dimensions = random.near((kind.dimensions)(), 0.2);
+            let dimensions = random.near(kind.dimensions(), 0.2);
             let legs = kind.legs(&dimensions, random.between(0.0, TAU));
             assert_eq!(characteristic(&legs).degree(), kind.degree, "{}", kind.name);
         }
@@ -49,11 +49,11 @@ fn characteristic_polynomials_have_the_degrees_of_the_table() {
 fn groups_are_named_after_their_legs() {
     let named = kinds::KINDS
         .iter()
-        .map(|kind| (kind.name.to_owned(), kind.structure));
+        .map(|kind| (kind.name.to_owned(), kind.mechanism.structure()));
     // Where the ternary link does not turn, its guides are like those of the frame.
     let two_slides = two_slides::KINDS
         .iter()
-        .map(|kind| (kind.name.replace("RP", "PR"), kind.structure));
+        .map(|kind| (kind.name.replace("RP", "PR"), kind.mechanism.structure()));
     for (name, structure) in named.chain(two_slides) {
         let legs = |name: &str| {
             let mut legs: Vec<String> = name.split('-').map(String::from).collect();
@@ -72,11 +72,11 @@ fn groups_are_named_after_their_legs() {
 
 #[test]
 fn estimates_choose_the_assembly_that_they_mean() {
-    for kind in kinds::KINDS {
-        let dimensions = (kind.dimensions)();
+    for kind in &kinds::KINDS {
+        let dimensions = kind.dimensions();
         let phi = 30f64.to_radians();
-        let found = (kind.assemble)(&dimensions).expect(kind.name)(phi);
-        let listed = (kind.assemblies)(&dimensions, phi).expect(kind.name);
+        let found = kind.assemble(&dimensions).expect(kind.name)(phi);
+        let listed = kind.assemblies(&dimensions, phi).expect(kind.name);
         let first = listed.first().expect("at least the one written")(phi);
         let apart = [0, 1].map(|k| {
             [
@@ -95,11 +95,11 @@ fn estimates_choose_the_assembly_that_they_mean() {
 #[test]
 fn all_assemblies_are_listed() {
     let mut random = Random::new(12);
-    for kind in kinds::KINDS {
+    for kind in &kinds::KINDS {
         let mut counts = [0; 8];
         for set in 0..SETS * effort() {
             let part = [0.0, 0.05, 0.2, 0.5][set.min(set % 4)];
-            let dimensions = random.near((kind.dimensions)(), part);
+            let dimensions = random.near(kind.dimensions(), part);
             let phi = if set == 0 {
                 30f64.to_radians()
             } else {
@@ -112,7 +112,8 @@ fn all_assemblies_are_listed() {
                 continue;
             }
             let context = || format!("{} at {phi}: {dimensions:?}", kind.name);
-            let found = (kind.assemblies)(&dimensions, phi)
+            let found = kind
+                .assemblies(&dimensions, phi)
                 .unwrap_or_else(|why| panic!("{why}: {}", context()));
             let found: Vec<Answer> = found.iter().map(|evaluate| evaluate(phi)).collect();
             let places: Vec<_> = found.iter().map(|a| (a.point, Some(a.direction))).collect();
@@ -151,11 +152,11 @@ fn all_assemblies_are_listed() {
 #[test]
 fn all_assemblies_with_two_slides_are_listed() {
     let mut random = Random::new(13);
-    for kind in two_slides::KINDS {
+    for kind in &two_slides::KINDS {
         let mut counts = [0; 8];
         for set in 0..SETS * effort() {
             let part = [0.0, 0.05, 0.2, 0.5][set.min(set % 4)];
-            let dimensions = random.near((kind.dimensions)(), part);
+            let dimensions = random.near(kind.dimensions(), part);
             let [tau, p1, q1] = [dimensions[8], dimensions[9], dimensions[10]];
             let phi = if set == 0 {
                 30f64.to_radians()
@@ -169,7 +170,8 @@ fn all_assemblies_with_two_slides_are_listed() {
                 continue;
             }
             let context = || format!("{} at {phi}: {dimensions:?}", kind.name);
-            let found = (kind.assemblies)(&dimensions, phi)
+            let found = kind
+                .assemblies(&dimensions, phi)
                 .unwrap_or_else(|why| panic!("{why}: {}", context()));
             let found: Vec<_> = found.iter().map(|evaluate| evaluate(phi)).collect();
             let places: Vec<_> = found.iter().map(|a| (a.point, None)).collect();

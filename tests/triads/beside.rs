@@ -2,7 +2,7 @@
 
 use linkage::{AssemblyError, CoupledCause};
 
-linkage::mechanism! {
+linkage_interpreted::interpreted! {
     /// Two cranks and a fixed pivot hold a plate; the first crank's angle begins at an offset.
     struct Held {
         unit mm;

@@ -3,7 +3,8 @@
 
 use crate::legs::{Leg, poses, turned};
 use crate::track::track;
-use linkage::{AssemblyError, mechanism};
+use linkage::AssemblyError;
+use linkage_interpreted::interpreted;
 use linkage_random::Random;
 
 /// Ways.
@@ -16,7 +17,7 @@ fn mixed(from: &Triad, to: &Triad, share: f64) -> Triad {
     std::array::from_fn(|k| from[k] + share * (to[k] - from[k]))
 }
 
-mechanism! {
+interpreted! {
     /// A triad, and behind it a dyad that may be too short on the way from some dimensions to others.
     struct Behind {
         unit mm;

@@ -1,9 +1,9 @@
 //! Coupled groups behind each other, and behind angles that count their turns.
 
-use linkage::mechanism;
+use linkage_interpreted::interpreted;
 use std::f64::consts::TAU;
 
-mechanism! {
+interpreted! {
     /// A platform hangs on another.
     struct Two {
         unit mm;
@@ -41,7 +41,7 @@ fn an_assembly_of_the_first_group_alone_hides_no_other() {
     }
 }
 
-mechanism! {
+interpreted! {
     /// A triad driven by half of an angle that turns fully.
     struct Geared {
         unit mm;

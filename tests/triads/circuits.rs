@@ -91,9 +91,14 @@ fn is_endless(kind: &Kind, dimensions: &kinds::Dimensions) -> bool {
             .any(|pose| pose.x.hypot(pose.y) > FAR)
 }
 
-fn look(kind: &Kind, dimensions: &kinds::Dimensions, random: &mut Random, faults: &mut Faults) {
+fn look(
+    kind: &'static Kind,
+    dimensions: &kinds::Dimensions,
+    random: &mut Random,
+    faults: &mut Faults,
+) {
     faults.mechanisms += 1;
-    let circuits = match (kind.circuits)(dimensions) {
+    let circuits = match kind.circuits(dimensions) {
         Ok(circuits) => circuits,
         Err(why) => {
             println!("{}: {dimensions:?}\n    {why}", kind.name);
@@ -132,7 +137,7 @@ fn run(mechanisms: usize) -> Faults {
     let kinds = kinds::KINDS.iter().cycle();
     for (number, kind) in kinds.take(mechanisms).enumerate() {
         let part = [0.05, 0.2, 0.5][number / kinds::KINDS.len() % 3];
-        let dimensions = random.near((kind.dimensions)(), part);
+        let dimensions = random.near(kind.dimensions(), part);
         if is_endless(kind, &dimensions) {
             continue;
         }

@@ -15,7 +15,7 @@ const SETS: usize = 25;
 macro_rules! contour {
     ($module:ident { $($loops:tt)* }) => {
         mod $module {
-            linkage::mechanism! {
+            linkage_interpreted::interpreted! {
                 pub(super) struct Mechanism {
                     unit mm;
                     param crank = 11mm;
@@ -163,7 +163,7 @@ macro_rules! contour_tests {
                 }
             }
             println!("contours with 0, 1, .. assemblies: {counts:?}");
-            assert_eq!(mechanism_class(&Mechanism::STRUCTURE), (4, 2));
+            assert_eq!(mechanism_class(&Mechanism::structure()), (4, 2));
         }
     };
 }

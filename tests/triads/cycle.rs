@@ -157,14 +157,14 @@ fn beyond(
 #[test]
 fn assemblies_keep_to_themselves() {
     let mut random = Random::new(14);
-    for kind in KINDS {
+    for kind in &KINDS {
         let (mut compared, mut followed) = (0, 0);
         for set in 0..SETS * effort() {
-            let dimensions = random.near((kind.dimensions)(), [0.0, 0.03, 0.1, 0.3][set % 4]);
+            let dimensions = random.near(kind.dimensions(), [0.0, 0.03, 0.1, 0.3][set % 4]);
             let Some(starts) = poses(&kind.legs(&dimensions, REFERENCE)) else {
                 continue;
             };
-            let found = (kind.assemblies)(&dimensions, REFERENCE).expect(kind.name);
+            let found = kind.assemblies(&dimensions, REFERENCE).expect(kind.name);
             for evaluate in &found {
                 let here = pose(&evaluate(REFERENCE));
                 let start = starts
@@ -189,9 +189,9 @@ fn assemblies_keep_to_themselves() {
 #[test]
 fn derivatives_are_those_of_the_followed_pose() {
     let mut random = Random::new(15);
-    for kind in KINDS {
-        let dimensions = (kind.dimensions)();
-        let evaluate = (kind.assemble)(&dimensions).expect(kind.name);
+    for kind in &KINDS {
+        let dimensions = kind.dimensions();
+        let evaluate = kind.assemble(&dimensions).expect(kind.name);
         let point = |pose: &Pose| {
             let [_, _, _, _, _, _, c, kappa, ..] = dimensions;
             let (s, cos) = (pose.theta + kappa).sin_cos();

@@ -1,10 +1,11 @@
 //! Where the assemblies of four-bars end, against the triangle of crank, frame and the two other links in line.
 
-use linkage::{AssemblyError, BranchEnd, mechanism};
+use linkage::{AssemblyError, BranchEnd};
+use linkage_interpreted::interpreted;
 use linkage_random::Random;
 use std::f64::consts::{PI, TAU};
 
-mechanism! {
+interpreted! {
     struct FourBar {
         param crank = 0.05m;
         param coupler = 0.12m;

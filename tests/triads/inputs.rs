@@ -5,7 +5,7 @@ use crate::legs::{Leg, Pose, distance, poses, turned};
 use linkage::{Scalar, Vector2};
 use linkage_random::Random;
 
-linkage::mechanism! {
+linkage_interpreted::interpreted! {
     /// Three cylinders hold a plate.
     struct Cylinders {
         unit mm;
@@ -51,7 +51,7 @@ fn cylinders(l: [f64; 3]) -> [Leg; 3] {
     })
 }
 
-linkage::mechanism! {
+linkage_interpreted::interpreted! {
     /// Three cranks hold a plate through rods.
     struct Cranks {
         unit mm;

@@ -9,7 +9,7 @@ fn cycle() -> impl Iterator<Item = f64> {
     (0..=144).map(|i| TAU * f64::from(i) / 144.0)
 }
 
-linkage::mechanism! {
+linkage_interpreted::interpreted! {
     /// A four-bar drives a triad, which drives a slider; a second triad hangs on the first one.
     struct Chain {
         unit mm;
@@ -86,8 +86,8 @@ fn differences(
 #[test]
 fn triads_among_dyads() {
     let chain = Chain::default().assemble().expect("it closes");
-    println!("{}", Chain::STRUCTURE);
-    let classes: Vec<_> = Chain::STRUCTURE
+    println!("{}", Chain::structure());
+    let classes: Vec<_> = Chain::structure()
         .groups
         .iter()
         .map(|group| group.class)
@@ -127,7 +127,7 @@ fn triads_among_dyads() {
     differences(|h| at(15.0, 40.0 + h).1, by.g[1].y, None, 1e-3, 10.0);
 }
 
-linkage::mechanism! {
+linkage_interpreted::interpreted! {
     /// Guides that turn and shift with the input, and one on a rocker.
     struct MovingGuides {
         unit mm;
@@ -188,7 +188,7 @@ fn guides_that_move_with_the_input() {
     differences(|h| at(125.0, swing + h), by[1], None, 1e-4, 100.0);
 }
 
-linkage::mechanism! {
+linkage_interpreted::interpreted! {
     /// A frame of bars: no input.
     struct Frame {
         unit mm;

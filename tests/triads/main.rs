@@ -28,6 +28,13 @@ mod track;
 mod two_slides;
 mod ways;
 
+use linkage_engine::Mechanism;
+
+/// The mechanism of a text.
+fn compile(text: &str) -> Mechanism {
+    Mechanism::compile(text).unwrap_or_else(|error| panic!("{error}"))
+}
+
 /// The largest magnitude; NaN if there is one.
 fn largest(numbers: impl IntoIterator<Item = f64>) -> f64 {
     let more = |most: f64, x: f64| {

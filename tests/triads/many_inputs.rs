@@ -3,7 +3,7 @@
 use linkage::{AssemblyError, CoupledCause};
 use linkage_random::Random;
 
-linkage::mechanism! {
+linkage_interpreted::interpreted! {
     /// Three cranks of a plate on legs of variable length: six inputs, and no dead point in their ranges.
     struct Six {
         unit mm;
@@ -27,7 +27,7 @@ linkage::mechanism! {
     impl Six { fn plate(f1, f2, f3, l1, l2, l3) -> SixPlate { e1, direction: dir(t) } }
 }
 
-linkage::mechanism! {
+linkage_interpreted::interpreted! {
     /// Two pivots that go around sixty times in the ranges of two inputs.
     struct Waves {
         unit mm;
@@ -68,7 +68,7 @@ fn ranges_that_would_be_left_out_are_refused() {
     let waves = Waves::default().assemble().expect("small waves are served");
     assert!(waves.served() > 0.999);
     // Polynomials do not follow so many waves: four steps do.
-    let method = Waves::<f64>::STRUCTURE.groups[0].method;
+    let method = Waves::structure().groups[0].method;
     assert_eq!(
         method,
         "prepared states, fixed number of Newton steps, certificate"

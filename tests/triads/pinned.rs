@@ -11,7 +11,7 @@ const REFERENCE: f64 = 30.0 / 180.0 * std::f64::consts::PI;
 /// Loops are missed by less than this.
 const ROUNDING: f64 = 4e-13;
 
-linkage::mechanism! {
+linkage_interpreted::interpreted! {
     /// Two platforms.
     struct Six {
         unit mm;

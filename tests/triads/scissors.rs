@@ -1,9 +1,9 @@
 //! Scissors that a cylinder drives, in the ways in which one writes them: with one angle for both arms in closed form, with an angle for each arm and a
 //! slide as a coupled group. By the law of cosines all are one mechanism.
 
-use linkage::mechanism;
+use linkage_interpreted::interpreted;
 
-mechanism! {
+interpreted! {
     /// Both arms have one angle; the cylinder stands on the foot that slides and pushes a point of the other arm.
     pub struct OneAngle {
         unit mm;
@@ -20,7 +20,7 @@ mechanism! {
     }
 }
 
-mechanism! {
+interpreted! {
     /// Two arms with a pin between them, and what has to be horizontal follows.
     pub struct TwoAngles {
         unit mm;
@@ -43,7 +43,7 @@ mechanism! {
     }
 }
 
-mechanism! {
+interpreted! {
     /// The cylinder stands on the ground.
     pub struct OnGround {
         unit mm;
@@ -67,8 +67,11 @@ fn stroke(tilt: f64) -> f64 {
 
 #[test]
 fn both_ways_of_writing_are_exact_and_one_is_in_closed_form() {
-    assert_eq!(OneAngle::STRUCTURE.groups[0].kind, "A cos x + B sin x = C");
-    assert_eq!(OnGround::STRUCTURE.groups[0].kind, "RRR");
+    assert_eq!(
+        OneAngle::structure().groups[0].kind,
+        "A cos x + B sin x = C"
+    );
+    assert_eq!(OnGround::structure().groups[0].kind, "RRR");
     assert_eq!(OneAngle::default().assemblies().expect("all").len(), 2);
     let one = OneAngle::default().assemble().expect("it assembles");
     let two = TwoAngles::default().assemble().expect("it assembles");

@@ -6,7 +6,7 @@ use linkage::{AssemblyError, CoupledCause};
 use linkage_random::Random;
 use std::collections::VecDeque;
 
-linkage::mechanism! {
+linkage_interpreted::interpreted! {
     /// Three cranks hold a plate, all triangles with equal sides; offsets choose where the cranks' ranges lie.
     struct Cranks {
         unit mm;

@@ -5,7 +5,7 @@ use crate::kinds::{self, Dimensions};
 use crate::legs::{Leg, turned};
 use crate::sweeps::{EyeNeedle, EyeNeedleAssembly};
 use crate::track::{apart, pose, track};
-use linkage::mechanism;
+use linkage_interpreted::interpreted;
 use linkage_random::Random;
 use std::f64::consts::{PI, TAU};
 
@@ -64,13 +64,13 @@ fn sets_are_where_the_straight_way_leads() {
     let mut random = Random::new(1609);
     for part in PARTS {
         let mut count = Count::default();
-        for kind in kinds::KINDS {
-            let from = (kind.dimensions)();
-            let first = (kind.assemble)(&from).expect("as written");
+        for kind in &kinds::KINDS {
+            let from = kind.dimensions();
+            let first = kind.assemble(&from).expect("as written");
             let many = MECHANISMS * crate::effort();
             let sets: Vec<Dimensions> = (0..many).map(|_| random.near(from, part)).collect();
             let phi: Vec<f64> = sets.iter().map(|_| random.between(0.0, TAU)).collect();
-            let rows = (kind.sets)(&from, &sets, &phi);
+            let rows = kind.sets(&from, &sets, &phi);
             for ((to, phi), found) in sets.iter().zip(&phi).zip(rows) {
                 let here = first(*phi);
                 count.add(found, [here.point, here.direction], |share| {
@@ -131,7 +131,7 @@ fn eye_needle_drives_are_where_the_straight_way_leads() {
     }
 }
 
-mechanism! {
+interpreted! {
     /// A ternary link on three legs that are driven.
     struct Platform {
         unit mm;
@@ -189,7 +189,7 @@ fn platforms_with_several_inputs_are_where_the_straight_way_leads() {
             sets.iter().map(|_| random.between(low, high)).collect()
         });
         let rows = linkage.link_sweep_sets(&mechanisms, &l1, &l2, &l3);
-        for (k, found) in rows.iter().enumerate() {
+        for (k, found) in rows.into_iter().enumerate() {
             let l = [l1[k], l2[k], l3[k]];
             let here = linkage.link(l1[k], l2[k], l3[k]);
             let [here, found] = [here, found].map(|pose| [pose.a.into(), pose.direction.into()]);

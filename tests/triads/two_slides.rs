@@ -4,8 +4,12 @@
 //! The second leg hangs on the crank. The first one slides on a fixed guide at the angle `q1` and on a
 //! guide at the angle `p1` in the ternary link, whose direction is `tau`.
 
+use std::sync::LazyLock;
+
+use crate::compile;
 use crate::kinds::Joints;
 use crate::legs::{Leg, Point, turned};
+use linkage_engine::{Assembly, Mechanism};
 
 /// Crank, `a1`, `a3`, sides and angle of the ternary link, `tau`, `p1`, `q1`, `q2`, `q3`.
 pub(crate) type Dimensions = [f64; 13];
@@ -28,12 +32,7 @@ pub(crate) struct Kind {
     /// The largest number of assemblies.
     pub(crate) degree: usize,
     pub(crate) joints: [Joints; 2],
-    /// Of the mechanism.
-    pub(crate) structure: &'static linkage::Structure,
-    /// As written.
-    pub(crate) dimensions: fn() -> Dimensions,
-    /// All assemblies at an input.
-    pub(crate) assemblies: fn(&Dimensions, f64) -> Result<Vec<Evaluate>, String>,
+    pub(crate) mechanism: LazyLock<Mechanism>,
 }
 
 impl Kind {
@@ -63,18 +62,49 @@ impl Kind {
             leg(self.joints[1], [a3x, a3y], q3, turned([c, 0.0], kappa)),
         ]
     }
+
+    /// The dimensions as written.
+    pub(crate) fn dimensions(&self) -> Dimensions {
+        let dimensions = self.mechanism.dimensions();
+        dimensions.try_into().expect("as declared")
+    }
+
+    /// All assemblies at an input.
+    pub(crate) fn assemblies(
+        &'static self,
+        d: &Dimensions,
+        phi: f64,
+    ) -> Result<Vec<Evaluate>, String> {
+        let found = self.mechanism.assemblies(d, &[phi]);
+        let found = found.map_err(|why| why.to_string())?;
+        Ok(found.into_iter().map(evaluate).collect())
+    }
 }
 
+fn evaluate(assembly: Assembly<'static>) -> Evaluate {
+    Box::new(move |phi| {
+        let p = assembly.results("position", &[phi]);
+        let misses = ["miss_2", "miss_3"].map(|miss| p.vector::<2>(miss));
+        Answer {
+            point: p.vector("e1"),
+            miss: crate::largest(misses.concat()),
+        }
+    })
+}
+
+/// A kind with the text of its mechanism.
 macro_rules! kinds {
-    ($($module:ident $name:literal $degree:literal [$($joints:ident)*]
+    ($($name:literal $degree:literal [$($joints:ident)*]
         crank $crank:literal pivots $a1:tt $a3:tt link $b:literal $c:literal $kappa:literal $tau:literal
         slides $p1:literal $q1:literal $x1:literal $y1:literal
         legs ($($leg2:tt)*) $q2:literal $x2:literal, ($($leg3:tt)*) $q3:literal $x3:literal
     )*) => {
-        $(mod $module {
-            use super::*;
-
-            linkage::mechanism! {
+        /// All kinds.
+        pub(crate) static KINDS: [Kind; 6] = [$(Kind {
+            name: $name,
+            degree: $degree,
+            joints: [$(Joints::$joints),*],
+            mechanism: LazyLock::new(|| compile(stringify! {
                 struct Mechanism {
                     unit mm;
                     param crank = $crank;
@@ -107,73 +137,38 @@ macro_rules! kinds {
                         miss_3: e1 + polar(c, tau + kappa) - e3,
                     }
                 }
-            }
-
-            fn mechanism(d: &Dimensions) -> Mechanism {
-                let [crank, a1x, a1y, a3x, a3y, b, c, kappa, tau, p1, q1, q2, q3] = *d;
-                let (a1, a3) = ([a1x, a1y].into(), [a3x, a3y].into());
-                Mechanism { crank, a1, a3, b, c, kappa, tau, p1, q1, q2, q3 }
-            }
-
-            fn evaluate(assembly: MechanismAssembly) -> Evaluate {
-                Box::new(move |phi| {
-                    let p = assembly.position(phi);
-                    let misses = [p.miss_2.x, p.miss_2.y, p.miss_3.x, p.miss_3.y];
-                    Answer { point: p.e1.into(), miss: crate::largest(misses) }
-                })
-            }
-
-            pub(super) const KIND: Kind = Kind {
-                name: $name,
-                degree: $degree,
-                joints: [$(Joints::$joints),*],
-                structure: &Mechanism::STRUCTURE,
-                dimensions: || {
-                    let m = Mechanism::default();
-                    [
-                        m.crank, m.a1.x, m.a1.y, m.a3.x, m.a3.y, m.b, m.c, m.kappa, m.tau, m.p1, m.q1,
-                        m.q2, m.q3,
-                    ]
-                },
-                assemblies: |d, phi| {
-                    let found = mechanism(d).assemblies_at(phi).map_err(|why| why.to_string())?;
-                    Ok(found.into_iter().map(evaluate).collect())
-                },
-            };
-        })*
-
-        /// All kinds.
-        pub(crate) const KINDS: &[Kind] = &[$($module::KIND),*];
+            })),
+        }),*];
     };
 }
 
 kinds! {
-    two_links "PP-RR-RR" 2 [Rr Rr]
+    "PP-RR-RR" 2 [Rr Rr]
     crank 21mm pivots (143mm, 16mm) (62mm, 116mm) link 104mm 42mm 45deg -5deg
     slides 85deg -170deg 119mm -7mm
     legs (polar(q2, x2)) 114mm -16deg, (polar(q3, x3)) 101mm -93deg
 
-    a_link_and_a_slider_on_the_frame "PP-RR-PR" 2 [Rr Pr]
+    "PP-RR-PR" 2 [Rr Pr]
     crank 17mm pivots (131mm, -19mm) (39mm, 101mm) link 50mm 88mm 85deg 35deg
     slides 110deg -160deg 261mm 18mm
     legs (polar(q2, x2)) 129mm -143deg, (polar(x3, q3)) -150deg 245mm
 
-    a_link_and_a_slider_on_the_link "PP-RR-RP" 2 [Rr Rp]
+    "PP-RR-RP" 2 [Rr Rp]
     crank 17mm pivots (93mm, -7mm) (66mm, 94mm) link 42mm 95mm 45deg 40deg
     slides 110deg -115deg -12mm 4mm
     legs (polar(q2, x2)) 115mm 12deg, (polar(x3, tau + q3)) -30deg 38mm
 
-    two_sliders_on_the_frame "PP-PR-PR" 1 [Pr Pr]
+    "PP-PR-PR" 1 [Pr Pr]
     crank 33mm pivots (127mm, -14mm) (76mm, 106mm) link 100mm 46mm 80deg 35deg
     slides 65deg -175deg 175mm -24mm
     legs (polar(x2, q2)) -50deg 15mm, (polar(x3, q3)) -140deg 182mm
 
-    one_on_the_frame_one_on_the_link "PP-PR-RP" 1 [Pr Rp]
+    "PP-PR-RP" 1 [Pr Rp]
     crank 18mm pivots (97mm, -20mm) (78mm, 139mm) link 69mm 81mm 45deg -40deg
     slides 85deg -10deg -163mm 126mm
     legs (polar(x2, q2)) 35deg 77mm, (polar(x3, tau + q3)) 170deg -45mm
 
-    two_sliders_on_the_link "PP-RP-RP" 1 [Rp Rp]
+    "PP-RP-RP" 1 [Rp Rp]
     crank 19mm pivots (125mm, 14mm) (36mm, 93mm) link 72mm 90mm 50deg 25deg
     slides 115deg 100deg -118mm 201mm
     legs (polar(x2, tau + q2)) -155deg -63mm, (polar(x3, tau + q3)) -70deg -30mm

@@ -28,14 +28,14 @@ fn the_assembly_is_the_one_that_the_way_leads_to() {
         more => 2 * WAYS * more,
     };
     for (number, kind) in kinds::KINDS.iter().cycle().take(ways).enumerate() {
-        let from = (kind.dimensions)();
+        let from = kind.dimensions();
         let part = PARTS[number / kinds::KINDS.len() % 2];
         let to = random.near(from, part);
-        let first = (kind.assemble)(&from).expect("as written")(PHI);
+        let first = kind.assemble(&from).expect("as written")(PHI);
         let start = pose(first.point, first.direction);
         let known = track(start, |share| kind.legs(&mixed(&from, &to, share), PHI));
         let context = || format!("{}: {to:?}", kind.name);
-        match ((kind.assemble_from)(&from, &to), known) {
+        match (kind.assemble_from(&from, &to), known) {
             (Ok(found), Ok(known)) => {
                 let found = found(PHI);
                 let found = pose(found.point, found.direction);
@@ -46,7 +46,7 @@ fn the_assembly_is_the_one_that_the_way_leads_to() {
                 );
                 reached += 1;
                 // What the estimates choose may be another one.
-                let chosen = (kind.assemble)(&to).map(|chosen| chosen(PHI).point);
+                let chosen = kind.assemble(&to).map(|chosen| chosen(PHI).point);
                 changed +=
                     usize::from(chosen.is_ok_and(|[x, y]| (x - known.x).hypot(y - known.y) > 1e-6));
             }
@@ -76,7 +76,7 @@ fn the_assembly_is_the_one_that_the_way_leads_to() {
 fn assemblies_go_on_where_others_are_at_infinity() {
     let kind = kinds::KINDS.iter().find(|kind| kind.name == "PR-RP-RP");
     let kind = kind.expect("it is one of the kinds");
-    let from = (kind.dimensions)();
+    let from = kind.dimensions();
     let mut to = from;
     to[9] = from[10] - (from[9] - from[10]);
     let legs = |share: f64| kind.legs(&mixed(&from, &to, share), PHI);
@@ -88,9 +88,9 @@ fn assemblies_go_on_where_others_are_at_infinity() {
             .count()
     };
     assert_eq!((far(0.0), poses(&legs(0.5)), far(1.0)), (2, None, 2));
-    let first = (kind.assemble)(&from).expect("as written")(PHI);
+    let first = kind.assemble(&from).expect("as written")(PHI);
     let known = track(pose(first.point, first.direction), legs).expect("it goes on");
-    let found = (kind.assemble_from)(&from, &to).expect("it goes on")(PHI);
+    let found = kind.assemble_from(&from, &to).expect("it goes on")(PHI);
     let found = pose(found.point, found.direction);
     assert!(apart(&found, &known) < 1e-9, "{found:?}, not {known:?}");
 }

@@ -1,13 +1,13 @@
 //! Dyads of the plane, and what turns their base.
 
-use linkage::mechanism;
+use linkage_interpreted::interpreted;
 
 use crate::follow::turns;
 
 /// A four-bar whose crank is turned in some way.
 macro_rules! four_bar {
     ($name:ident, $angles:ident, $low:literal..$high:literal, $($turned:tt)*) => {
-        mechanism! {
+        interpreted! {
             struct $name {
                 param pivot = (80mm, 10mm);
                 param crank = 30mm;
@@ -37,7 +37,7 @@ turns!(several_turns: Several [-720 40 1080], 500, theta t 55 psi p 120);
 turns!(backward: Backward [-360 40 400], 500, theta t 55 psi p 120);
 turns!(through_a_gear: Geared [0 40 720], 500, theta t 55 psi p 120);
 
-mechanism! {
+interpreted! {
     /// The coupler's angle is measured from the crank, the rocker's counts the other way round.
     struct Relative {
         param pivot = (80mm, 10mm);
@@ -55,7 +55,7 @@ mechanism! {
 }
 turns!(measured_from_the_crank: Relative [-100 40 500], 500, beta b 10 psi p -100);
 
-mechanism! {
+interpreted! {
     /// Two cranks on one shaft and its gear drive both ends.
     struct FiveBar {
         param pivot = (80mm, 10mm);
@@ -74,7 +74,7 @@ mechanism! {
 }
 turns!(driven_at_both_ends: FiveBar [-360 40 360], 500, theta t 60 psi p 110);
 
-mechanism! {
+interpreted! {
     /// A rod on a fixed guide.
     struct SliderCrank {
         param crank = 30mm;
@@ -92,7 +92,7 @@ mechanism! {
 }
 turns!(on_a_guide: SliderCrank [-400 40 400], 100, theta t -10);
 
-mechanism! {
+interpreted! {
     /// A rod on a guide that turns with the input.
     struct TurningGuide {
         param pivot = (10mm, 5mm);
@@ -109,7 +109,7 @@ mechanism! {
 }
 turns!(on_a_turning_guide: TurningGuide [-400 40 400], 100, theta t 50);
 
-mechanism! {
+interpreted! {
     /// A guide that turns about a pivot, beside which it passes.
     struct Swing {
         param pivot = (0mm, 70mm);
@@ -126,7 +126,7 @@ mechanism! {
 }
 turns!(a_guide_about_a_pivot: Swing [-400 40 400], 100, psi p -40);
 
-mechanism! {
+interpreted! {
     /// The second dyad hangs on the rocker of the first.
     struct Chain {
         param pivot = (80mm, 10mm);
@@ -153,7 +153,7 @@ mechanism! {
 }
 turns!(a_chain: Chain [-360 40 400], 100, theta t 51 psi p 102 delta d 10 chi c 120);
 
-mechanism! {
+interpreted! {
     /// Two cranks with motors of their own.
     struct TwoMotors {
         param pivot = (80mm, 10mm);
@@ -173,7 +173,7 @@ mechanism! {
 }
 impl TwoMotorsAssembly {
     /// Along a straight way through the reference.
-    fn angles(&self, phi: f64) -> TwoMotorsBoth<f64> {
+    fn angles(&self, phi: f64) -> TwoMotorsBoth {
         self.both(phi, -0.7 * (phi - 40f64.to_radians()) - 80f64.to_radians())
     }
 }

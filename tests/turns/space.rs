@@ -1,10 +1,10 @@
 //! Groups of space whose angle has a closed form.
 
-use linkage::mechanism;
+use linkage_interpreted::interpreted;
 
 use crate::follow::turns;
 
-mechanism! {
+interpreted! {
     /// RSSR: a crank about one axis, a rocker about another.
     struct Rssr {
         param crank = 30mm;
@@ -25,7 +25,7 @@ mechanism! {
 }
 turns!(rssr: Rssr [-360 0 360], 50, psi p 100);
 
-mechanism! {
+interpreted! {
     /// A universal joint.
     struct Joint {
         param bend = 30deg;

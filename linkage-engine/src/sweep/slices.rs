@@ -5,6 +5,7 @@ use linkage_symbolic::blocks::{BLOCK, Rows};
 use linkage_symbolic::program::Source;
 
 use crate::compiled::Assembly;
+use crate::mechanism::Mechanism;
 
 /// The numbers at the positions of a sweep: slices with one for each position, or one for all.
 #[derive(Clone, Debug)]
@@ -36,6 +37,11 @@ impl<'a> Loads<'a> {
             dimensions: assembly.dimensions().chunks(1).collect(),
             prepared: assembly.prepared().chunks(1).collect(),
         }
+    }
+
+    /// The mechanism of the assembly.
+    pub(super) fn mechanism(&self) -> &Mechanism {
+        self.assembly.mechanism()
     }
 
     /// The same with other dimensions.

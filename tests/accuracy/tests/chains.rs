@@ -75,9 +75,9 @@ macro_rules! six_bar {
             $name(phi) -> [theta, psi, alpha, beta, tip];
             pairs crank link, arm out;
             fields |g| {
-                pivot_d: [g[0], g[1]].into(), crank: g[2], coupler: g[3], rocker: g[4],
+                pivot_d: [g[0], g[1]], crank: g[2], coupler: g[3], rocker: g[4],
                 arm: g[5], lift: g[6],
-                pivot_g: [g[7], g[8]].into(), link: g[9], out: g[10]
+                pivot_g: [g[7], g[8]], link: g[9], out: g[10]
             }
             {
                 unit mm;
@@ -186,9 +186,9 @@ macro_rules! moving_guide {
             $name(phi) -> [theta, psi, t, beta, tip];
             pairs crank gamma, arm out;
             fields |g| {
-                pivot_d: [g[0], g[1]].into(), crank: g[2], coupler: g[3], rocker: g[4],
+                pivot_d: [g[0], g[1]], crank: g[2], coupler: g[3], rocker: g[4],
                 arm: g[5], lift: g[6],
-                pivot_g: [g[7], g[8]].into(), gamma: g[9], out: g[10]
+                pivot_g: [g[7], g[8]], gamma: g[9], out: g[10]
             }
             {
                 unit mm;

@@ -59,7 +59,7 @@ macro_rules! boom {
             $name(stroke) -> [theta, psi, tip];
             pairs arm shift, shift shift;
             fields |g| {
-                pivot: [g[0], g[1]].into(), arm: g[2], shift: g[3], load: g[4], lift: g[5]
+                pivot: [g[0], g[1]], arm: g[2], shift: g[3], load: g[4], lift: g[5]
             }
             {
                 unit mm;

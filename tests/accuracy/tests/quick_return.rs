@@ -71,7 +71,7 @@ macro_rules! quick_return {
             $name(phi) -> [psi, s, theta, ram, end];
             pairs crank offset, lever rod;
             fields |g| {
-                crank: g[0], pivot: [g[1], g[2]].into(), offset: g[3], lever: g[4],
+                crank: g[0], pivot: [g[1], g[2]], offset: g[3], lever: g[4],
                 rod: g[5], height: g[6]
             }
             {

@@ -1,5 +1,5 @@
-//! Writes a module for each mechanism of the folder `mechanisms` and of the golden files: the mechanism as the macro takes it, and how its functions
-//! are called with a list of numbers.
+//! Writes a module for each mechanism of the folder `mechanisms`, of the golden files and of the corpus: the mechanism as the macro takes it,
+//! and how its functions are called with a list of numbers.
 
 mod chosen;
 
@@ -7,8 +7,10 @@ use std::fmt::Write;
 use std::path::{Path, PathBuf};
 use std::{env, fs};
 
+use chosen::{Candidate, chosen, swept};
 use linkage_compiler::check;
 use linkage_compiler::ir::{CompiledMechanism, Function};
+use linkage_corpus::{COUNT, sample};
 use linkage_engine::{MechanismCall, Source};
 
 /// A mechanism, where it stands, and what it became.
@@ -36,13 +38,28 @@ fn main() {
             }
         }
     }
+    let out = PathBuf::from(env::var_os("OUT_DIR").expect("cargo says it"));
+    let written = entries.len();
+    for seed in 0..COUNT {
+        let path = out.join(format!("{seed}.mech"));
+        fs::write(&path, sample(seed, &format!("Generated{seed}")).text)
+            .expect("it can be written");
+        let source = Source::read(&path).expect("a mechanism");
+        entries.push(entry("corpus", &path, 0, &source, &source.calls()[0]));
+    }
     println!("cargo:rerun-if-env-changed=LINKAGE_LONG");
     let long = env::var_os("LINKAGE_LONG").is_some();
-    let units: Vec<&CompiledMechanism> = entries.iter().map(|entry| &entry.unit).collect();
-    let chosen = chosen::chosen(&units, long);
+    let candidates = entries.iter().enumerate().map(|(k, entry)| Candidate {
+        unit: &entry.unit,
+        random: k >= written,
+    });
+    let chosen = chosen(&candidates.collect::<Vec<_>>(), long);
     let chosen = entries.iter().zip(chosen).filter(|(_, own)| *own);
     let chosen: Vec<&Entry> = chosen.map(|(entry, _)| entry).collect();
-    let mut text: String = chosen.iter().map(|entry| module(entry)).collect();
+    let units: Vec<&CompiledMechanism> = chosen.iter().map(|entry| &entry.unit).collect();
+    let swept = swept(&units, long);
+    let modules = chosen.iter().zip(&swept);
+    let mut text: String = modules.map(|(entry, swept)| module(entry, swept)).collect();
     let calls = chosen
         .iter()
         .map(|entry| format!("    {}::subject(),\n", entry.name));
@@ -51,7 +68,6 @@ fn main() {
         text,
         "\n/// All of them.\npub fn all() -> Vec<Subject> {{\n    vec![\n{list}    ]\n}}\n"
     );
-    let out = PathBuf::from(env::var_os("OUT_DIR").expect("cargo says it"));
     fs::write(out.join("mechanisms.rs"), text).expect("it can be written");
 }
 
@@ -87,7 +103,7 @@ fn files(folder: &Path, ending: &str) -> Vec<PathBuf> {
     paths
 }
 
-fn module(entry: &Entry) -> String {
+fn module(entry: &Entry, swept: &[bool]) -> String {
     let Entry {
         name,
         path,
@@ -99,12 +115,13 @@ fn module(entry: &Entry) -> String {
     let count = unit.scalars().count();
     let functions = || unit.functions.iter().enumerate();
     let calls: String = functions().map(call).collect();
-    let sweeps: String = functions()
+    let swept_functions = || functions().filter(|(number, _)| swept[*number]);
+    let sweeps: String = swept_functions()
         .filter_map(|one| sweep(one, "sweep", ""))
         .collect();
     let sets: String = match count {
         0 => String::new(),
-        _ => functions()
+        _ => swept_functions()
             .filter_map(|one| sweep(one, "sweep_sets", "&sets, "))
             .collect(),
     };
@@ -125,7 +142,7 @@ fn module(entry: &Entry) -> String {
     format!(
         "
 mod {name} {{
-    #![allow(dead_code, unused_variables, unreachable_pub, missing_docs, clippy::all)]
+    #![allow(dead_code, deprecated, unused_variables, unreachable_pub, missing_docs, clippy::all)]
     use super::*;
     linkage::mechanism! {{
 {body}
@@ -182,6 +199,7 @@ mod {name} {{
                 {circuits}
             }},
             structure: || {title}::STRUCTURE.to_string(),
+            is_swept: &{swept:?},
         }}
     }}
 }}

@@ -1,4 +1,4 @@
-//! All mechanisms of the folder `mechanisms` and of the golden files as the macro compiles them, to be compared with the command `linkage`.
+//! All mechanisms of the folder `mechanisms`, of the golden files and of the corpus as the macro compiles them, to be compared with the command `linkage`.
 
 use linkage::{AssemblyMode, Frame, Input, Vector2, Vector3};
 
@@ -14,7 +14,9 @@ pub struct Subject {
     pub assembled: fn(&[f64]) -> Assembled,
     /// Assembles the second dimensions in the assembly of the first.
     pub assembled_from: fn(&[f64], &[f64]) -> Assembled,
-    /// The rows of a sweep of an assembly with these dimensions; `None` for a function without sweeps.
+    /// Which functions have their sweeps here.
+    pub is_swept: &'static [bool],
+    /// The rows of a sweep of an assembly with these dimensions; `None` for a function without sweeps, or without them here.
     pub swept: fn(&[f64], usize, &[&[f64]]) -> Rows,
     /// The same for many mechanisms.
     pub swept_sets: SweptSets,

@@ -136,6 +136,9 @@ fn compare_sweeps() {
             .expect("the compiler has closed it");
         let mut random = Random::new(11);
         for (number, heading) in mechanism.headings().iter().enumerate() {
+            if !subject.is_swept[number] {
+                continue;
+            }
             let name = format!("{}, {}", subject.name, heading.function);
             // Not a multiple of a block, in several threads, and one argument that stands still.
             let rows: Vec<Vec<f64>> = (0..1100)

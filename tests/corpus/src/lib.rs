@@ -1,12 +1,11 @@
 //! Random mechanisms that assemble by construction, and the compiler's results for them on plain numbers.
 //!
 //! A configuration is chosen first; dimensions and start estimates follow from it. The tests compare the expression
-//! graph, the programs and the generated code. What is printed in another language is compared with the same [`programs`] on the runtime's [`numbers`]:
+//! graph, the programs and the engine; the package `linkage-command` compares the engine with generated code. What is printed in another language is compared with the same [`programs`] on the runtime's [`numbers`]:
 //! those of the random mechanisms and of those that are [`given`].
 
 mod builder;
 mod case;
-mod code;
 mod courses;
 mod functions;
 pub mod given;
@@ -25,7 +24,6 @@ mod subject;
 
 pub use builder::Unknown;
 pub use case::Case;
-pub use code::{COUNT, Part, code};
 pub use functions::{Entry, Function, Kind, Variable};
-pub use sample::{Sample, sample};
+pub use sample::{COUNT, Sample, sample};
 pub use subject::{Position, Subject, unit};

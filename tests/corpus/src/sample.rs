@@ -28,6 +28,9 @@ pub struct Sample {
     pub range: f64,
 }
 
+/// Mechanisms of the corpus; their seeds count from 0.
+pub const COUNT: u64 = 46;
+
 /// Seeds below this one give mechanisms of the plane.
 const PLANAR: u64 = 36;
 

@@ -1,65 +1,30 @@
-//! Writes a test program around the items of a mechanism.
+//! Writes the text of a test mechanism around its items.
 
 /// One written form of a mechanism, as a module with a function `assemble` for
-/// [`Form`](crate::Form).
+/// [`Form`](crate::Form). The engine compiles it when it is first assembled.
 ///
 /// The outputs are names of scalars or vectors; every form of one system has the same, in the same
-/// order. The fields are an expression for the mechanism's value from a slice `g` of all data but
+/// order. The fields are the values of the mechanism's parameters from a slice `g` of all data but
 /// the input. Without `pairs` the program has no derivatives beyond those of
 /// [`Depth::Usual`](crate::Depth::Usual).
 #[macro_export]
 macro_rules! form {
     (
-        @module $name:ident [$($out:ident),+]
-        |$g:ident| { $($fields:tt)* }
+        @module $name:ident
+        |$g:ident| { $($field:ident: $value:expr),* $(,)? }
         { $($mechanism:tt)* }
-        |$linkage:ident, $input:ident, $answers:ident| $further:block
     ) => {
         mod $name {
-            linkage::mechanism! { $($mechanism)* }
+            static PROGRAM: $crate::Program = $crate::Program::new(
+                stringify!($($mechanism)*),
+                |$g| vec![$((stringify!($field), $crate::Values::values(&$value))),*],
+            );
 
             pub(super) fn assemble(
-                $g: &[f64],
-                variant: linkage_reference::Variant,
-            ) -> Result<linkage_reference::Evaluate, String> {
-                let mechanism = Mechanism { $($fields)* };
-                if variant.fused {
-                    evaluate(&mechanism.cast::<linkage_reference::Fused>(), variant.flipped)
-                } else {
-                    evaluate(&mechanism, variant.flipped)
-                }
-            }
-
-            fn evaluate<T: linkage::Scalar + linkage_reference::Components>(
-                mechanism: &Mechanism<T>,
-                flipped: bool,
-            ) -> Result<linkage_reference::Evaluate, String> {
-                let $linkage = if flipped {
-                    // The default mechanism closes: its modes are those of the estimates.
-                    let usual = Mechanism::default().assemble().map_err(|why| why.to_string())?;
-                    let found = mechanism.assemblies().map_err(|why| why.to_string())?;
-                    let other = found.into_iter().find(|other| other.modes() != usual.modes());
-                    other.ok_or("no assembly in the other mode")?
-                } else {
-                    mechanism.assemble().map_err(|why| why.to_string())?
-                };
-                Ok(Box::new(move |input| {
-                    let $input = T::from_f64(input);
-                    let values = $linkage.values($input);
-                    let first = $linkage.first($input);
-                    let second = $linkage.second($input);
-                    let sensitivity = $linkage.sensitivities($input);
-                    let mut $answers = linkage_reference::Answers {
-                        values: $crate::concatenate(&[$(&values.$out),+]),
-                        margin: values.margin.lane(0),
-                        first: $crate::concatenate(&[$(&first.$out),+]),
-                        second: $crate::concatenate(&[$(&second.$out),+]),
-                        sensitivity: $crate::by_column(&[$($crate::rows(&sensitivity.$out)),+]),
-                        ..linkage_reference::Answers::default()
-                    };
-                    $further
-                    $answers
-                }))
+                geometry: &[f64],
+                variant: $crate::Variant,
+            ) -> Result<$crate::Evaluate, String> {
+                PROGRAM.assemble(geometry, variant)
             }
         }
     };
@@ -70,7 +35,7 @@ macro_rules! form {
         { $($items:tt)* }
     ) => {
         $crate::form! {
-            @module $name [$($out),+]
+            @module $name
             |$g| { $($fields)* }
             {
                 pub struct Mechanism { $($items)* }
@@ -89,19 +54,6 @@ macro_rules! form {
                     pub fn pair_two($input) -> PairTwo { $($out: d($out, $c, $d)),+ }
                 }
             }
-            |linkage, input, answers| {
-                let third = linkage.third(input);
-                let (mixed, mixed_second) = (linkage.mixed(input), linkage.mixed_second(input));
-                let (one, two) = (linkage.pair_one(input), linkage.pair_two(input));
-                answers.third = $crate::concatenate(&[$(&third.$out),+]);
-                answers.mixed = $crate::by_column(&[$($crate::rows(&mixed.$out)),+]);
-                answers.mixed_second =
-                    $crate::by_column(&[$($crate::rows(&mixed_second.$out)),+]);
-                answers.pairs = vec![
-                    $crate::concatenate(&[$(&one.$out),+]),
-                    $crate::concatenate(&[$(&two.$out),+]),
-                ];
-            }
         }
     };
     (
@@ -110,7 +62,7 @@ macro_rules! form {
         { $($items:tt)* }
     ) => {
         $crate::form! {
-            @module $name [$($out),+]
+            @module $name
             |$g| { $($fields)* }
             {
                 pub struct Mechanism { $($items)* }
@@ -122,7 +74,6 @@ macro_rules! form {
                     pub fn sensitivities($input) -> Sensitivities { $($out: sensitivity($out)),+ }
                 }
             }
-            |linkage, input, answers| {}
         }
     };
 }

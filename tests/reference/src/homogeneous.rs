@@ -2,25 +2,58 @@
 //! derivatives do not change when all lengths grow alike, and a coordinate and its derivatives grow
 //! with them: `sum r_i d(angle)/d r_i = 0`, `sum r_i d(x)/d r_i = x`.
 
-use crate::{Components, ROUNDOFF};
-use linkage::Parameter;
+use linkage_engine::{Mechanism, Parameter};
+
+use crate::{ROUNDOFF, Random};
+
+/// Asserts the identities of a mechanism's quantities, over random geometries and inputs.
+///
+/// Its functions `values`, `rates` and `seconds` have two fields for each quantity: the quantity,
+/// and its sensitivities. Quantities after the first `angles` are lengths.
+pub fn homogeneous(
+    text: &str,
+    angles: usize,
+    geometry: fn(&mut Random) -> Vec<f64>,
+) -> Result<(), Box<dyn std::error::Error>> {
+    let mechanism = Mechanism::compile(text)?;
+    let mut random = Random::new(81);
+    for _ in 0..200 {
+        let dimensions = geometry(&mut random);
+        let assembly = mechanism.assemble(&dimensions)?;
+        let at = random.angle();
+        for name in ["values", "rates", "seconds"] {
+            let function = mechanism.function(name)?;
+            let mut row = &assembly.call(function, &[at])[..];
+            let fields = &mechanism.compiled().functions[function].fields;
+            for (number, field) in fields.iter().step_by(2).enumerate() {
+                let (quantity, rest) = row.split_at(field.shape.width());
+                let (by, rest) = rest.split_at(quantity.len() * dimensions.len());
+                row = rest;
+                let degree = if number < angles { 0.0 } else { 1.0 };
+                check(mechanism.parameters(), &dimensions, quantity, by, degree);
+            }
+            assert!(row.is_empty(), "{name}");
+        }
+    }
+    Ok(())
+}
 
 /// Asserts the identity for a quantity of the given degree in the lengths (0 or 1), to within
-/// roundings of its terms.
-pub fn homogeneous(
+/// roundings of its terms. Its derivatives come parameter by parameter.
+fn check(
     parameters: &[Parameter],
-    lengths: &[f64],
-    value: &dyn Components,
-    sensitivity: Vec<Vec<f64>>,
+    dimensions: &[f64],
+    quantity: &[f64],
+    derivatives: &[f64],
     degree: f64,
 ) {
-    assert_eq!(sensitivity.len(), parameters.len());
-    for (k, value) in value.components().into_iter().enumerate() {
-        let terms = parameters.iter().zip(lengths).zip(&sensitivity);
+    for (k, value) in quantity.iter().enumerate() {
+        let by = derivatives.chunks(quantity.len());
+        let terms = parameters.iter().zip(dimensions).zip(by);
         let terms = terms.filter(|((parameter, _), _)| parameter.unit == "mm");
         let terms: Vec<f64> = terms.map(|((_, length), by)| length * by[k]).collect();
         let sum: f64 = terms.iter().sum();
-        let longest = lengths.iter().fold(1.0, |m: f64, x| m.max(x.abs()));
+        let longest = dimensions.iter().fold(1.0, |m: f64, x| m.max(x.abs()));
         let least = if degree == 0.0 { 1.0 } else { longest };
         let size: f64 = least + terms.iter().map(|term| term.abs()).sum::<f64>();
         let miss = (sum - degree * value).abs();
@@ -29,41 +62,43 @@ pub fn homogeneous(
     }
 }
 
-/// A test over random geometries, each dimension within 3 % of the one written, and random inputs.
-///
-/// Every mechanism has functions `values`, `rates` and `seconds`, where each field `q` stands
-/// beside `q_by`, its sensitivities.
+/// A test of the identities of a mechanism: each angle and each length with a name for its
+/// sensitivities, a random geometry in the order of the parameters, and the mechanism's items.
 #[macro_export]
 macro_rules! identities {
     (
-        $test:ident, $mechanism:ident, $input:ident,
-        angles [$($angle:ident $angle_by:ident),*], lengths [$($length:ident $length_by:ident),*],
-        $random:ident => $fields:expr, $at:expr, $order:expr
+        $test:ident($input:ident), angles [$($angle:ident $angle_by:ident),*],
+        lengths [$($length:ident $length_by:ident),*], $geometry:expr,
+        { $($items:tt)* }
     ) => {
         #[test]
-        fn $test() {
-            let mut generator = $crate::Random::new(81);
-            for _ in 0..200 {
-                let $random = &mut generator;
-                let mechanism: $mechanism = $fields;
-                let order: fn(&$mechanism) -> Vec<f64> = $order;
-                let lengths = order(&mechanism);
-                let linkage = mechanism.assemble().expect("closes");
-                let $input = $at;
-                let parameters = $mechanism::PARAMETERS;
-                let (v, r) = (linkage.values($input), linkage.rates($input));
-                let s = linkage.seconds($input);
-                $(
-                    $crate::homogeneous(parameters, &lengths, &v.$angle, $crate::rows(&v.$angle_by), 0.0);
-                    $crate::homogeneous(parameters, &lengths, &r.$angle, $crate::rows(&r.$angle_by), 0.0);
-                    $crate::homogeneous(parameters, &lengths, &s.$angle, $crate::rows(&s.$angle_by), 0.0);
-                )*
-                $(
-                    $crate::homogeneous(parameters, &lengths, &v.$length, $crate::rows(&v.$length_by), 1.0);
-                    $crate::homogeneous(parameters, &lengths, &r.$length, $crate::rows(&r.$length_by), 1.0);
-                    $crate::homogeneous(parameters, &lengths, &s.$length, $crate::rows(&s.$length_by), 1.0);
-                )*
-            }
+        fn $test() -> Result<(), Box<dyn std::error::Error>> {
+            let text = stringify! {
+                pub struct Mechanism { $($items)* }
+
+                impl Mechanism {
+                    pub fn values($input) -> Values {
+                        $($angle, $angle_by: sensitivity($angle),)*
+                        $($length, $length_by: sensitivity($length),)*
+                    }
+                    pub fn rates($input) -> Rates {
+                        $($angle: velocity($angle), $angle_by: sensitivity(velocity($angle)),)*
+                        $($length: velocity($length), $length_by: sensitivity(velocity($length)),)*
+                    }
+                    pub fn seconds($input) -> Seconds {
+                        $(
+                            $angle: acceleration($angle),
+                            $angle_by: sensitivity(acceleration($angle)),
+                        )*
+                        $(
+                            $length: acceleration($length),
+                            $length_by: sensitivity(acceleration($length)),
+                        )*
+                    }
+                }
+            };
+            let angles: &[&str] = &[$(stringify!($angle)),*];
+            $crate::homogeneous(text, angles.len(), $geometry)
         }
     };
 }

@@ -1,7 +1,7 @@
 //! The accuracy proof of `linkage`.
 //!
 //! A test mechanism is written twice: in the language of `linkage::mechanism!` (in several written
-//! forms), and here as a [`System`]: its loop equations as residuals over unknown unit vectors, slides
+//! forms, which the engine compiles), and here as a [`System`]: its loop equations as residuals over unknown unit vectors, slides
 //! and coordinates, with `c^2 + s^2 = 1` as further equations. The reference solves the system by Newton's
 //! method in 154 digits and takes every derivative as a central difference of the *solved* quantity
 //! with steps of 8e-31. No formula of the compiler is used: no closed form of a dyad, no derivative
@@ -31,6 +31,7 @@ mod homogeneous;
 mod limits;
 mod matrix;
 mod plane;
+mod program;
 mod reference;
 mod report;
 mod solve;
@@ -54,6 +55,7 @@ pub use homogeneous::homogeneous;
 pub use limits::Limits;
 pub use linkage_random::Random;
 pub use plane::Plane;
+pub use program::{Parameters, Program, Values};
 pub use reference::Reference;
 pub use report::{Measure, Report};
 pub use solve::{Solution, solve};

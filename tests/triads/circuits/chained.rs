@@ -1,7 +1,8 @@
 //! Coupled groups between groups that turn back themselves.
 
 use super::{BESIDE, alone, covers, turning};
-use linkage::{BranchEnd, Circuits, mechanism};
+use linkage::{BranchEnd, Circuits};
+use linkage_interpreted::interpreted;
 use linkage_random::Random;
 
 /// Mechanisms of a dyad, a triad and another dyad.
@@ -13,7 +14,7 @@ const LISTED: usize = 6;
 /// Where on its way from end to end an assembly is looked at.
 const SHARES: [f64; 5] = [0.02, 0.2, 0.5, 0.8, 0.98];
 
-mechanism! {
+interpreted! {
     /// A four-bar whose crank may be too long to turn, a platform on its rocker, and a dyad on the platform.
     struct Chain {
         unit mm;
@@ -43,7 +44,7 @@ mechanism! {
 
 /// A chain whose platform has solutions that are farthest from singular beside a turning point of the four-bar, where nothing can be
 /// prepared from.
-const STEEP: Chain<f64> = Chain {
+const STEEP: Chain = Chain {
     crank: 70.85757685172423,
     rocker: 74.96030584329164,
     leg: 56.177762131241714,
@@ -51,7 +52,7 @@ const STEEP: Chain<f64> = Chain {
 };
 
 /// A chain with assemblies that end after 0.0003 degrees, and an input there, in degrees.
-const SHORT: (Chain<f64>, f64) = (
+const SHORT: (Chain, f64) = (
     Chain {
         crank: 65.02299848476191,
         rocker: 50.13139601926462,
@@ -61,10 +62,10 @@ const SHORT: (Chain<f64>, f64) = (
     34.9456,
 );
 
-type Found = Circuits<ChainAssembly<f64>>;
+type Found = Circuits<ChainAssembly>;
 
 /// How many assemblies a chain has at an input: from its circuits, and listed.
-fn counts(chain: &Chain<f64>, circuits: &Found, phi: f64) -> [usize; 2] {
+fn counts(chain: &Chain, circuits: &Found, phi: f64) -> [usize; 2] {
     let branches = circuits.branches.iter();
     let here = branches.filter(|branch| covers(branch, phi));
     let listed = chain.assemblies_at(phi).map_or(0, |all| all.len());
@@ -85,7 +86,7 @@ fn unserved(circuits: &Found) -> usize {
 }
 
 /// Counts the assemblies of a chain at some inputs that are not beside an end.
-fn assert_counted(chain: &Chain<f64>, circuits: &Found, random: &mut Random) {
+fn assert_counted(chain: &Chain, circuits: &Found, random: &mut Random) {
     for _ in 0..LISTED {
         let [low, high] = [circuits.cycle.low, circuits.cycle.high];
         let phi = random.between(low, high);

@@ -65,7 +65,7 @@ macro_rules! contour {
             $name(phi) -> [alpha, beta, gamma, delta, end];
             $($pairs)*
             fields |g| {
-                crank: g[0], base: [g[1], g[2]].into(), p: g[3], q: g[4], at_q: g[5], r: g[6],
+                crank: g[0], base: [g[1], g[2]], p: g[3], q: g[4], at_q: g[5], r: g[6],
                 s: g[7], at_s: g[8], upper: g[9], lower: g[10]
             }
             {

@@ -11,7 +11,7 @@ macro_rules! eye_needle {
             $($pairs)*
             fields |g| {
                 l12: g[0], l23: g[1], l34: g[2], l45: g[3], l35: g[4], l46: g[5], l57: g[6],
-                l78: g[7], angle_578: g[8], p6: [g[9], g[10]].into(), p7: [g[11], g[12]].into()
+                l78: g[7], angle_578: g[8], p6: [g[9], g[10]], p7: [g[11], g[12]]
             }
             {
                 unit mm;

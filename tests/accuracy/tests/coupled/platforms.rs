@@ -71,7 +71,7 @@ const PLATFORMS: System = System {
 linkage_reference::form! {
     plain(phi) -> [x1, x2, x3, x4, one, two, pin];
     fields |g| {
-        crank: g[0], a2: [g[1], g[2]].into(), a3: [g[3], g[4]].into(), a4: [g[5], g[6]].into(),
+        crank: g[0], a2: [g[1], g[2]], a3: [g[3], g[4]], a4: [g[5], g[6]],
         l1: g[7], l2: g[8], l3: g[9], l4: g[10], b: g[11], c: g[12], at_c: g[13], d: g[14], e: g[15],
         at_e: g[16]
     }

@@ -87,7 +87,7 @@ macro_rules! triad {
                 plain(phi) -> [x1, x2, x3, theta, e3];
                 $($pairs)*
                 fields |g| {
-                    crank: g[0], a2: [g[1], g[2]].into(), a3: [g[3], g[4]].into(), b: g[5], c: g[6],
+                    crank: g[0], a2: [g[1], g[2]], a3: [g[3], g[4]], b: g[5], c: g[6],
                     kappa: g[7], q1: g[8], q2: g[9], q3: g[10]
                 }
                 { unit mm; $($items)* }

@@ -70,7 +70,7 @@ macro_rules! two_cranks {
             $name(phi) -> [phi23, phi34, phi64, s, p8];
             $($pairs)*
             fields |g| {
-                l12: g[0], l67: g[1], p7: [g[2], g[3]].into(), l23: g[4], l64: g[5], l34: g[6],
+                l12: g[0], l67: g[1], p7: [g[2], g[3]], l23: g[4], l64: g[5], l34: g[6],
                 l35: g[7], angle_435: g[8], n1: g[9], guide: g[10], l58: g[11], angle_58: g[12]
             }
             {

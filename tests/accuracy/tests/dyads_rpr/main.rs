@@ -66,7 +66,7 @@ macro_rules! swinging_block {
         linkage_reference::form! {
             $name(phi) -> [psi, s, corner];
             pairs crank offset, beta beta;
-            fields |g| { pivot: [g[0], g[1]].into(), crank: g[2], offset: g[3], beta: g[4] }
+            fields |g| { pivot: [g[0], g[1]], crank: g[2], offset: g[3], beta: g[4] }
             {
                 unit mm;
                 param pivot = (80mm, -20mm);

@@ -73,7 +73,7 @@ macro_rules! slider_crank {
         linkage_reference::form! {
             $name(phi) -> [theta, s, pin];
             pairs crank rod, gamma gamma;
-            fields |g| { crank: g[0], rod: g[1], guide: [g[2], g[3]].into(), gamma: g[4] }
+            fields |g| { crank: g[0], rod: g[1], guide: [g[2], g[3]], gamma: g[4] }
             {
                 unit mm;
                 param crank = 30mm;

@@ -29,7 +29,7 @@ macro_rules! moving_guide {
             $name(phi) -> [theta, s, pin];
             pairs crank rod, gamma ratio;
             fields |g| {
-                crank: g[0], rod: g[1], guide: [g[2], g[3]].into(), gamma: g[4], ratio: g[5]
+                crank: g[0], rod: g[1], guide: [g[2], g[3]], gamma: g[4], ratio: g[5]
             }
             {
                 unit mm;

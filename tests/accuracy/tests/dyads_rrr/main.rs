@@ -62,7 +62,7 @@ macro_rules! four_bar {
             $name(phi) -> [theta, psi, tracer];
             pairs crank rocker, coupler coupler;
             fields |g| {
-                pivot_d: [g[0], g[1]].into(), crank: g[2], coupler: g[3], rocker: g[4],
+                pivot_d: [g[0], g[1]], crank: g[2], coupler: g[3], rocker: g[4],
                 arm: g[5], lift: g[6]
             }
             {

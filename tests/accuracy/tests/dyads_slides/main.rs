@@ -62,7 +62,7 @@ macro_rules! two_slides {
             $name(phi) -> [s, t, pin];
             pairs crank alpha, beta ratio;
             fields |g| {
-                crank: g[0], pivot: [g[1], g[2]].into(), alpha: g[3], beta: g[4], ratio: g[5]
+                crank: g[0], pivot: [g[1], g[2]], alpha: g[3], beta: g[4], ratio: g[5]
             }
             {
                 unit mm;

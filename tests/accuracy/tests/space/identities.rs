@@ -3,18 +3,20 @@
 
 use linkage_reference::{Random, identities};
 
-/// A number within 3 % of the given one.
-fn near(random: &mut Random, x: f64) -> f64 {
-    x * random.between(0.97, 1.03)
+/// Numbers within 3 % of those given.
+fn near(random: &mut Random, numbers: &[f64]) -> Vec<f64> {
+    let mut near = |x: &f64| x * random.between(0.97, 1.03);
+    numbers.iter().map(&mut near).collect()
 }
 
-fn near_vector<const N: usize>(random: &mut Random, v: [f64; N]) -> [f64; N] {
-    v.map(|x| near(random, x))
-}
-
-linkage::mechanism! {
-    /// RSSR, and RSSP on the rocker.
-    struct Drive {
+// RSSR, and RSSP on the rocker.
+identities!(
+    rssr_and_rssp(phi), angles [psi psi_by], lengths [end end_by, s s_by],
+    |random| near(random, &[
+        10.0, 50.0, 30.0, 3.0, 40.0, 10.0, 5.0, 50f64.to_radians(), 10f64.to_radians(), 90.0,
+        30.0, 1.0, -60.0, 0.9, 0.3, 0.4,
+    ]),
+    {
         unit mm;
         param crank = 10mm;
         param coupler = 50mm;
@@ -36,49 +38,15 @@ linkage::mechanism! {
         loop distance(pin, end) = coupler;
         loop distance(end, rail + s * guide) = rod;
     }
-
-    impl Drive {
-        fn values(phi) -> DriveValues {
-            psi, psi_by: sensitivity(psi), end, end_by: sensitivity(end), s, s_by: sensitivity(s),
-        }
-        fn rates(phi) -> DriveRates {
-            psi: velocity(psi), psi_by: sensitivity(velocity(psi)),
-            end: velocity(end), end_by: sensitivity(velocity(end)),
-            s: velocity(s), s_by: sensitivity(velocity(s)),
-        }
-        fn seconds(phi) -> DriveSeconds {
-            psi: acceleration(psi), psi_by: sensitivity(acceleration(psi)),
-            end: acceleration(end), end_by: sensitivity(acceleration(end)),
-            s: acceleration(s), s_by: sensitivity(acceleration(s)),
-        }
-    }
-}
-
-identities!(
-    rssr_and_rssp, Drive, phi, angles [psi psi_by], lengths [end end_by, s s_by],
-    random => Drive {
-        crank: near(random, 10.0),
-        coupler: near(random, 50.0),
-        rocker: near(random, 30.0),
-        lift: near(random, 3.0),
-        pivot: near_vector(random, [40.0, 10.0, 5.0]).into(),
-        gamma1: near(random, 50f64.to_radians()),
-        gamma2: near(random, 10f64.to_radians()),
-        rod: near(random, 90.0),
-        rail: near_vector(random, [30.0, 1.0, -60.0]).into(),
-        guide: near_vector(random, [0.9, 0.3, 0.4]).into(),
-    },
-    random.angle(),
-    |m| {
-        let ends = [m.crank, m.coupler, m.rocker, m.lift];
-        let angles = [m.gamma1, m.gamma2, m.rod];
-        [&ends[..], m.pivot.as_slice(), &angles, m.rail.as_slice(), m.guide.as_slice()].concat()
-    }
 );
 
-linkage::mechanism! {
-    /// A tripod whose feet stand on a crank and on the frame, and a bar from its top to a plane.
-    struct Tripod {
+// A tripod whose feet stand on a crank and on the frame, and a bar from its top to a plane.
+identities!(
+    tripod(phi), angles [], lengths [p p_by, q q_by],
+    |random| near(random, &[
+        10.0, 60.0, 5.0, 3.0, 20.0, 55.0, -2.0, 45.0, 57.0, 52.0, 70.0, 80.0, 0.1, 0.9, 0.2, 13.0,
+    ]),
+    {
         unit mm;
         param crank = 10mm;
         param two = (60mm, 5mm, 3mm);
@@ -101,46 +69,17 @@ linkage::mechanism! {
         loop distance(q, two) = arm;
         loop dot(normal, q) = height;
     }
-
-    impl Tripod {
-        fn values(phi) -> TripodValues { p, p_by: sensitivity(p), q, q_by: sensitivity(q) }
-        fn rates(phi) -> TripodRates {
-            p: velocity(p), p_by: sensitivity(velocity(p)),
-            q: velocity(q), q_by: sensitivity(velocity(q)),
-        }
-        fn seconds(phi) -> TripodSeconds {
-            p: acceleration(p), p_by: sensitivity(acceleration(p)),
-            q: acceleration(q), q_by: sensitivity(acceleration(q)),
-        }
-    }
-}
-
-identities!(
-    tripod, Tripod, phi, angles [], lengths [p p_by, q q_by],
-    random => Tripod {
-        crank: near(random, 10.0),
-        two: near_vector(random, [60.0, 5.0, 3.0]).into(),
-        three: near_vector(random, [20.0, 55.0, -2.0]).into(),
-        l1: near(random, 45.0),
-        l2: near(random, 57.0),
-        l3: near(random, 52.0),
-        bar: near(random, 70.0),
-        arm: near(random, 80.0),
-        normal: near_vector(random, [0.1, 0.9, 0.2]).into(),
-        height: near(random, 13.0),
-    },
-    random.angle(),
-    |m| {
-        let lengths = [m.l1, m.l2, m.l3, m.bar, m.arm];
-        let points = [m.two.as_slice(), m.three.as_slice()].concat();
-        [&[m.crank][..], &points, &lengths, m.normal.as_slice(), &[m.height]].concat()
-    }
 );
 
-linkage::mechanism! {
-    /// Two slides and a link in a loop of three rows; a direction square to the link's arm; then
-    /// three slides.
-    struct Rows {
+// Two slides and a link in a loop of three rows; a direction square to the link's arm; then
+// three slides.
+identities!(
+    loops_of_three_rows(phi), angles [psi psi_by, n n_by], lengths [s s_by, v v_by],
+    |random| near(random, &[
+        15.0, 60.0, 30.0, -15.0, 25.0, 10f64.to_radians(), 60f64.to_radians(), 25f64.to_radians(),
+        15.0, 90.0, 70.0, 80.0,
+    ]),
+    {
         unit mm;
         param crank = 15mm;
         param link = 60mm;
@@ -166,43 +105,5 @@ linkage::mechanism! {
         loop dot(n, arm) = shadow;
         loop dot(n, axis) = 0.3;
         loop base + arm + u * n + v * (1, 0, 0) + w * (0.1, 1, 0.2) = far;
-    }
-
-    impl Rows {
-        fn values(phi) -> RowsValues {
-            psi, psi_by: sensitivity(psi), n, n_by: sensitivity(n),
-            s, s_by: sensitivity(s), v, v_by: sensitivity(v),
-        }
-        fn rates(phi) -> RowsRates {
-            psi: velocity(psi), psi_by: sensitivity(velocity(psi)),
-            n: velocity(n), n_by: sensitivity(velocity(n)),
-            s: velocity(s), s_by: sensitivity(velocity(s)),
-            v: velocity(v), v_by: sensitivity(velocity(v)),
-        }
-        fn seconds(phi) -> RowsSeconds {
-            psi: acceleration(psi), psi_by: sensitivity(acceleration(psi)),
-            n: acceleration(n), n_by: sensitivity(acceleration(n)),
-            s: acceleration(s), s_by: sensitivity(acceleration(s)),
-            v: acceleration(v), v_by: sensitivity(acceleration(v)),
-        }
-    }
-}
-
-identities!(
-    loops_of_three_rows, Rows, phi, angles [psi psi_by, n n_by], lengths [s s_by, v v_by],
-    random => Rows {
-        crank: near(random, 15.0),
-        link: near(random, 60.0),
-        base: near_vector(random, [30.0, -15.0, 25.0]).into(),
-        one: near(random, 10f64.to_radians()),
-        two: near(random, 60f64.to_radians()),
-        tilt: near(random, 25f64.to_radians()),
-        shadow: near(random, 15.0),
-        far: near_vector(random, [90.0, 70.0, 80.0]).into(),
-    },
-    random.angle(),
-    |m| {
-        let angles = [m.one, m.two, m.tilt, m.shadow];
-        [&[m.crank, m.link][..], m.base.as_slice(), &angles, m.far.as_slice()].concat()
     }
 );

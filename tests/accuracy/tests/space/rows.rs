@@ -71,7 +71,7 @@ macro_rules! lengths {
             $name(phi) -> [s, t, v, corner];
             $($pairs)*
             fields |g| {
-                crank: g[0], base: [g[1], g[2], g[3]].into(), one: g[4], two: g[5], tilt: g[6]
+                crank: g[0], base: [g[1], g[2], g[3]], one: g[4], two: g[5], tilt: g[6]
             }
             {
                 unit mm;
@@ -169,7 +169,7 @@ macro_rules! angle {
             $name(phi) -> [s, t, psi, end];
             $($pairs)*
             fields |g| {
-                crank: g[0], link: g[1], base: [g[2], g[3], g[4]].into(), one: g[5], two: g[6],
+                crank: g[0], link: g[1], base: [g[2], g[3], g[4]], one: g[5], two: g[6],
                 tilt: g[7]
             }
             {

@@ -53,8 +53,8 @@ macro_rules! rssp {
             $name(phi) -> [s, slider];
             $($pairs)*
             fields |g| {
-                crank: g[0], rod: g[1], rail: [g[2], g[3], g[4]].into(),
-                guide: [g[5], g[6], g[7]].into()
+                crank: g[0], rod: g[1], rail: [g[2], g[3], g[4]],
+                guide: [g[5], g[6], g[7]]
             }
             {
                 unit mm;

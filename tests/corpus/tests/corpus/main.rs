@@ -1,95 +1,17 @@
-//! Generated code against the interpreter, for a corpus of random mechanisms; the interpreter against the graph, and what is in programs at
-//! all, for more of them.
-//!
-//! `UPDATE=1 cargo test -p linkage-corpus --test corpus` writes the corpus anew.
+//! The engine against programs, for a corpus of random mechanisms; programs against the graph, and what is in programs
+//! at all, for more of them.
 
 mod oracle;
 mod parts;
 mod quotients;
 mod slicing;
 
-use std::path::Path;
 use std::sync::{Arc, OnceLock};
 
-use linkage::{Vector2, Vector3};
-use linkage_corpus::{COUNT, Case, Kind, Part, code};
+use linkage_compiler::Checked;
+use linkage_corpus::{COUNT, Case, Kind};
+use linkage_engine::Mechanism;
 use linkage_random::Random;
-
-mod mechanisms;
-#[cfg(feature = "whole")]
-mod more_mechanisms;
-
-/// The mechanisms that are compiled, by their seeds.
-fn compiled() -> Vec<(u64, Results)> {
-    let parts = [
-        mechanisms::ALL,
-        #[cfg(feature = "whole")]
-        more_mechanisms::ALL,
-    ];
-    parts.concat()
-}
-
-/// Assembles with changed parameters and calls all functions at inputs; one list of numbers for each function.
-type Results = fn(changes: &[f64], inputs: &[f64]) -> Vec<Vec<f64>>;
-
-/// The numbers of a result, in order.
-trait Numbers {
-    fn append(&self, numbers: &mut Vec<f64>);
-}
-
-impl Numbers for f64 {
-    fn append(&self, numbers: &mut Vec<f64>) {
-        numbers.push(*self);
-    }
-}
-
-impl Numbers for Vector2<f64> {
-    fn append(&self, numbers: &mut Vec<f64>) {
-        numbers.extend([self.x, self.y]);
-    }
-}
-
-impl Numbers for Vector3<f64> {
-    fn append(&self, numbers: &mut Vec<f64>) {
-        numbers.extend([self.x, self.y, self.z]);
-    }
-}
-
-impl<N: Numbers, const COUNT: usize> Numbers for [N; COUNT] {
-    fn append(&self, numbers: &mut Vec<f64>) {
-        self.iter().for_each(|entry| entry.append(numbers));
-    }
-}
-
-fn numbers(fields: &[&dyn Numbers]) -> Vec<f64> {
-    let mut numbers = Vec::new();
-    fields.iter().for_each(|field| field.append(&mut numbers));
-    numbers
-}
-
-/// A module with a mechanism and its results.
-macro_rules! corpus {
-    ($module:ident $name:ident [$($($parameter:ident).+),*] { $($text:tt)* }
-     $($function:ident($($input:literal),*): $($field:ident),*;)*) => {
-        // Random mechanisms have parameters that nothing uses.
-        #[allow(deprecated)]
-        mod $module {
-            linkage::mechanism! { $($text)* }
-
-            pub(super) fn results(changes: &[f64], inputs: &[f64]) -> Vec<Vec<f64>> {
-                let mut mechanism = $name::default();
-                let mut changes = changes.iter();
-                $(mechanism.$($parameter).+ += changes.next().expect("one for each parameter");)*
-                let linkage = mechanism.assemble().expect("it assembles");
-                vec![$({
-                    let result = linkage.$function($(inputs[$input]),*);
-                    crate::numbers(&[$(&result.$field),*])
-                }),*]
-            }
-        }
-    };
-}
-pub(crate) use corpus;
 
 /// How many mechanisms are kept: more than that are asked for in long runs only, and would fill the memory.
 const KEPT: usize = 100;
@@ -105,31 +27,25 @@ fn case(seed: u64) -> Result<Arc<Case>, String> {
     }
 }
 
-#[test]
-fn the_corpus_is_what_the_generator_writes() {
-    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/corpus");
-    for (part, file) in [
-        (Part::Always, "mechanisms.rs"),
-        (Part::Long, "more_mechanisms.rs"),
-    ] {
-        let (text, path) = (code(part), folder.join(file));
-        if std::env::var_os("UPDATE").is_some() {
-            std::fs::write(path, text).expect("the corpus can be written");
-            continue;
-        }
-        let there = std::fs::read_to_string(path).expect("the corpus can be read");
-        assert!(
-            there == text,
-            "the generator has changed: UPDATE=1 writes the corpus anew"
-        );
-    }
+/// The mechanism of a case as the engine has it.
+fn mechanism(case: &Case) -> Mechanism {
+    let checked = Checked {
+        name: Some("Generated".to_owned()),
+        unit: Some(case.subject.unit.clone()),
+        messages: Vec::new(),
+        warnings: Vec::new(),
+    };
+    Mechanism::new(&checked).expect("it has no mistake")
 }
 
 #[test]
-fn generated_code_agrees_with_the_interpreter() {
+fn the_engine_agrees_with_programs() {
     let mut worst = 0.0;
-    for (seed, results) in compiled() {
+    for seed in 0..COUNT {
         let case = case(seed).unwrap_or_else(|message| panic!("{message}"));
+        let mechanism = mechanism(&case);
+        let names = mechanism.parameters().iter().map(|own| own.name);
+        assert!(names.eq(case.sample.parameters.iter().map(String::as_str)));
         let mut random = Random::new(seed);
         for round in 0..4 {
             let mut at = case.position(&mut random);
@@ -147,20 +63,22 @@ fn generated_code_agrees_with_the_interpreter() {
                 .iter_mut()
                 .zip(&changes)
                 .for_each(|(p, change)| *p += change);
-            let compiled = results(&changes, &at.inputs);
+            let assembly = mechanism.assemble(&at.parameters).expect("it assembles");
             for (index, function) in case.sample.functions.iter().enumerate() {
                 if function.kind == Kind::Closure {
                     continue;
                 }
+                let inputs = function.inputs.iter().map(|&input| at.inputs[input]);
+                let found = assembly.call(index, &inputs.collect::<Vec<f64>>());
                 let expected = case.subject.by_program(index, &at);
-                let differences = case.differences(index, &at, &compiled[index], &expected);
+                let differences = case.differences(index, &at, &found, &expected);
                 for (k, difference) in differences.into_iter().enumerate() {
                     worst = f64::max(worst, difference);
-                    let (c, e) = (compiled[index][k], expected[k]);
+                    let (f, e) = (found[k], expected[k]);
                     let entry = function.entries.get(k);
                     let what = || {
                         format!(
-                            "result {k} {entry:?}: compiled {c:e}, interpreted {e:e}, {difference} roundoffs"
+                            "result {k} {entry:?}: engine {f:e}, program {e:e}, {difference} roundoffs"
                         )
                     };
                     assert!(difference <= 4.0, "{}", case.complain(function, &what()));

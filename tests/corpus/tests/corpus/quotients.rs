@@ -4,7 +4,22 @@ use linkage::mechanism;
 use linkage_corpus::quotients::{Precision, Quotients};
 use linkage_corpus::reference::Assembled;
 
-use crate::Numbers;
+/// The numbers of a result, in order.
+trait Numbers {
+    fn append(&self, numbers: &mut Vec<f64>);
+}
+
+impl Numbers for f64 {
+    fn append(&self, numbers: &mut Vec<f64>) {
+        numbers.push(*self);
+    }
+}
+
+impl<N: Numbers, const COUNT: usize> Numbers for [N; COUNT] {
+    fn append(&self, numbers: &mut Vec<f64>) {
+        self.iter().for_each(|entry| entry.append(numbers));
+    }
+}
 
 mechanism! {
     pub struct Quotients0 {

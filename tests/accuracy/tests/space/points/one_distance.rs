@@ -53,8 +53,8 @@ macro_rules! one {
             $name(phi) -> [p];
             $($pairs)*
             fields |g| {
-                crank: g[0], l1: g[1], m: [g[2], g[3], g[4]].into(), at_m: g[5],
-                n: [g[6], g[7], g[8]].into(), at_n: g[9]
+                crank: g[0], l1: g[1], m: [g[2], g[3], g[4]], at_m: g[5],
+                n: [g[6], g[7], g[8]], at_n: g[9]
             }
             {
                 unit mm;

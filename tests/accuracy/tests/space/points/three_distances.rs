@@ -56,7 +56,7 @@ macro_rules! three {
             $name(phi) -> [p];
             $($pairs)*
             fields |g| {
-                crank: g[0], two: [g[1], g[2], g[3]].into(), three: [g[4], g[5], g[6]].into(),
+                crank: g[0], two: [g[1], g[2], g[3]], three: [g[4], g[5], g[6]],
                 l1: g[7], l2: g[8], l3: g[9]
             }
             {

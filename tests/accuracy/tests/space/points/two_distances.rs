@@ -55,8 +55,8 @@ macro_rules! two {
             $name(phi) -> [p];
             $($pairs)*
             fields |g| {
-                crank: g[0], two: [g[1], g[2], g[3]].into(), l1: g[4], l2: g[5],
-                normal: [g[6], g[7], g[8]].into(), height: g[9]
+                crank: g[0], two: [g[1], g[2], g[3]], l1: g[4], l2: g[5],
+                normal: [g[6], g[7], g[8]], height: g[9]
             }
             {
                 unit mm;

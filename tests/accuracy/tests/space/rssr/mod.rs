@@ -74,7 +74,7 @@ macro_rules! rssr {
             $name(phi) -> [psi, end];
             $($pairs)*
             fields |g| {
-                crank: g[0], coupler: g[1], rocker: g[2], lift: g[3], pivot: [g[4], g[5], g[6]].into(),
+                crank: g[0], coupler: g[1], rocker: g[2], lift: g[3], pivot: [g[4], g[5], g[6]],
                 gamma1: g[7], gamma2: g[8]
             }
             {
