@@ -58,12 +58,13 @@ function fillPanel(panel, width) {
   set(panel.clip, { x: scales.left - 1, y: PANEL.top - 1, width: scales.wide + 2, height: scales.tall + 2 });
   shadeGaps(panel);
   placeAxes(panel);
-  const across = scales.xs.map((x) => (x === null ? null : pixelText(scales.x(x))));
+  const places = scales.xs.map((x) => (x === null ? null : scales.x(x)));
+  const across = places.map((x) => (x === null ? null : pixelText(x)));
   for (const curve of panel.curves) {
     set(curve.line, { d: curveOutline(curve, across, scales) });
     for (const [band, area] of curve.areas) set(area, { d: bandOutline(curve, band, across, scales) });
   }
-  markExtremes(panel);
+  markExtremes(panel, places);
 }
 
 function shadeGaps({ gaps: group, scales }) {
