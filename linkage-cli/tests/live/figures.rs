@@ -40,11 +40,11 @@ fn example(name: &str) -> &'static Mechanism {
     pages::mechanism(&file.join(format!("{name}.rs")))
 }
 
-/// A row of the summary, which is no longer that of the report.
+/// A row of the summary, which is no longer that of the report. The radians of an angle are below its degrees.
 fn figure(page: &mut Page, quantity: &str, what: &str) -> f64 {
     page.number(&format!(
-        "Number([...document.querySelectorAll('#summary tr')].find((row) => row.cells[0].textContent === '{quantity}' && row.cells[1].textContent === '{what}')\
-         .querySelector('[data-exact]').dataset.exact)"
+        "Number([...[...document.querySelectorAll('#summary tr')].find((row) => row.cells[0].textContent === '{quantity}' && row.cells[1].textContent === '{what}')\
+         .querySelectorAll('[data-exact]')].pop().dataset.exact)"
     ))
 }
 
