@@ -211,7 +211,7 @@ fn saved_data_are_those_of_the_page() {
     };
     page.value("window.names = []; HTMLAnchorElement.prototype.click = function () { window.names.push(this.download); }; 0");
     let saved = |page: &mut Page, file: &str| {
-        let text = pages::SAVED.replace("NAME.csv", file);
+        let text = pages::SAVED.replace("NAME", file);
         page.words(&format!("(async () => {{ {text} }})()"))
     };
     let report = saved(&mut page, "data.json");
@@ -273,7 +273,7 @@ fn figures_of_the_cycle_follow() {
     // Rows are half a degree apart: the height beside an extreme falls by no more than this between two of them.
     let csv = page.words(&format!(
         "(async () => {{ {} }})()",
-        pages::SAVED.replace("NAME", "motion")
+        pages::SAVED.replace("NAME", "motion.csv")
     ));
     let heights = csv.lines().skip(1).map(|line| {
         line.split(',')

@@ -8,4 +8,5 @@ mod many;
 mod pages;
 mod quotients;
 mod strokes;
+mod typed;
 mod values;
