@@ -20,8 +20,9 @@ const STYLES: [&str; 7] = [
     include_str!("page/print.css"),
 ];
 /// Joined in this order; the last one starts the page.
-const SCRIPTS: [&str; 40] = [
+const SCRIPTS: [&str; 41] = [
     include_str!("page/dom.js"),
+    include_str!("page/fresh.js"),
     include_str!("page/numbers.js"),
     include_str!("page/exact.js"),
     include_str!("page/data.js"),
@@ -67,7 +68,7 @@ const START: usize = SCRIPTS.len() - 1;
 
 /// Styles and scripts of a page that computes, before the last script.
 const LIVE_STYLE: &str = include_str!("page/live/live.css");
-const LIVE: [&str; 17] = [
+const LIVE: [&str; 18] = [
     include_str!("page/live/model.js"),
     include_str!("page/live/derived.js"),
     include_str!("page/live/reason.js"),
@@ -82,6 +83,7 @@ const LIVE: [&str; 17] = [
     include_str!("page/live/show.js"),
     include_str!("page/live/ghost.js"),
     include_str!("page/live/pull.js"),
+    include_str!("page/live/changes.js"),
     include_str!("page/live/typed.js"),
     include_str!("page/live/fields.js"),
     include_str!("page/live/controls.js"),

@@ -61,12 +61,28 @@ function standing(node) {
   return copy;
 }
 
-// A picture with its ground.
+// A line of letters below a picture: its height, and the width of a letter.
+const NOTE = { line: 18, letter: 7 };
+
+// A picture with its ground. What the page says of changes is below it.
 function picturePage(width, height, ground, ...children) {
-  const size = { width, height, viewBox: `0 0 ${width} ${height}` };
-  const { fontFamily } = getComputedStyle(document.body);
-  const paper = shape("rect", { width, height, fill: hexadecimal(componentsOf(ground).slice(0, 3)) });
-  return shape("svg", { ...size, "font-family": fontFamily }, shape("title", {}, report.title), paper, ...children);
+  const lines = noteLines(Math.floor((width - 24) / NOTE.letter));
+  const tall = height + NOTE.line * lines.length + (lines.length > 0 ? 8 : 0);
+  const size = { width, height: tall, viewBox: `0 0 ${width} ${tall}` };
+  const { fontFamily, color } = getComputedStyle(document.body);
+  const [paper, ink] = [ground, color].map((own) => hexadecimal(componentsOf(own).slice(0, 3)));
+  const notes = lines.map((line, k) => shape("text", { x: 12, y: height + NOTE.line * (k + 1) - 4, fill: ink, "font-size": 13 }, line));
+  return shape("svg", { ...size, "font-family": fontFamily }, shape("title", {}, report.title), shape("rect", { width, height: tall, fill: paper }), ...children, ...notes);
+}
+
+// The note, broken between words.
+function noteLines(most) {
+  const lines = [];
+  for (const word of saved.note().split(" ").filter((own) => own !== "")) {
+    if (lines.length > 0 && lines.at(-1).length + word.length < most) lines.push(`${lines.pop()} ${word}`);
+    else lines.push(word);
+  }
+  return lines;
 }
 
 function textOf(view) {

@@ -8,11 +8,13 @@ const controls = { rows: new Map() };
 function startLive() {
   startModel();
   startGhost();
+  startChanges();
   makeControls();
   onChange(showChange);
   onChange(showControls);
-  if (location.hash === "") showControls();
-  else say(readLink(location.hash));
+  const changes = location.hash || `#${document.documentElement.dataset.changes ?? ""}`;
+  if (changes === "#") showControls();
+  else say(readLink(changes));
   past.last = snapshot();
   document.addEventListener("keydown", onLiveKey);
   addEventListener("hashchange", ({ newURL }) => {
