@@ -1,10 +1,12 @@
 //! A changed design names its changes: on the page, on paper, in every file.
 
 use std::fs;
+use std::path::Path;
+use std::process::Command;
 
 use linkage_browser::{Page, printed_words};
 
-use crate::pages::{CATCH, Live};
+use crate::pages::{CATCH, Live, saved_file};
 
 const LINE: &str = "changed: crank = 45.25 mm (50), lift = 20 deg (25)";
 
@@ -20,7 +22,7 @@ fn dimensions(page: &mut Page) -> String {
 
 fn typed(page: &mut Page, name: &str, text: &str) {
     page.value(&format!(
-        "(() => {{ const field = document.querySelector('input[data-dimension={name}]'); field.value = '{text}'; \
+        "(() => {{ const field = document.querySelector('input[data-dimension=\"{name}\"]'); field.value = '{text}'; \
          field.dispatchEvent(new Event('change')); }})()"
     ));
 }
@@ -131,7 +133,7 @@ fn every_file_names_the_changes() {
     );
     assert_eq!(
         files,
-        "data.json,path.csv,motion.csv,accuracy.csv,quality.csv,page.html,plots.svg,plots.png"
+        "data.json,CrankRocker.mech,path.csv,motion.csv,accuracy.csv,quality.csv,page.html,plots.svg,plots.png"
     );
     for name in ["path.csv", "motion.csv", "accuracy.csv", "quality.csv"] {
         let text = live.file(name);
@@ -224,4 +226,113 @@ fn saved_drawings_name_the_changes() {
     let after = live.file("mechanism.svg");
     assert!(tall(&after) > tall(&before) + 15.0);
     live.page.assert_quiet();
+}
+
+/// The text of a changed design is a mechanism with these defaults: the command computes the page's table from it.
+#[test]
+fn the_text_is_the_changed_design() {
+    let Some(mut live) = changed("changes_text") else {
+        return;
+    };
+    typed(&mut live.page, "pivot_d.y", "-7,5");
+    let text = live.file("CrankRocker.mech");
+    assert!(
+        text.starts_with(
+            "// changed: pivot_d.y = -7.5 mm (0), crank = 45.25 mm (50), lift = 20 deg (25)\n    /// Crank-rocker"
+        ),
+        "{text}"
+    );
+    for line in [
+        "param pivot_d = (140mm +- 0.02mm, -7.5mm +- 0.02mm);",
+        "param crank   = 45.25mm  +- 12um;             // a public field",
+        "param lift    = 20deg +- 30arcsec;",
+        "param coupler = 120mm +- 20um;",
+    ] {
+        assert!(text.contains(line), "{line} in {text}");
+    }
+    let shown = live.csv("motion");
+    let file = crate::pages::beside("crank_rocker", "changes_text", "changed.mech", &text);
+    let mut command = Command::new(env!("CARGO_BIN_EXE_linkage"));
+    let output = command.args(["table"]).arg(&file).arg("motion").output();
+    let output = output.expect("it runs");
+    let printed = String::from_utf8(output.stdout).expect("text");
+    assert_eq!(printed.lines().next(), shown.lines().next());
+    let numbers = |text: &str| -> Vec<f64> {
+        let rows = text.lines().skip(1);
+        let words = rows.flat_map(|row| row.split(','));
+        words.map(|word| word.parse().expect("a number")).collect()
+    };
+    let [printed, shown] = [printed.as_str(), shown.as_str()].map(numbers);
+    assert_eq!(printed.len(), 361 * 8);
+    assert_eq!(printed.len(), shown.len());
+    // Degrees are rounded once in the text, and twice in the page.
+    for (command, page) in printed.iter().zip(&shown) {
+        assert!((command - page).abs() < 1e-11, "{command}, {page}");
+    }
+    // The report's own text is as it was.
+    live.page.value("document.getElementById('reset').click()");
+    let text = live.file("CrankRocker.mech");
+    assert!(
+        text.contains("param crank   = 50mm  +- 12um;") && !text.contains("changed"),
+        "{text}"
+    );
+    live.page.assert_quiet();
+}
+
+/// Defaults of every form, and what is not in the text.
+#[test]
+fn defaults_of_every_form_are_replaced() {
+    let text = "
+    // struct Forms { param crank = 1mm; }
+    pub struct Other { unit mm; param crank = 7mm; input phi = 30deg in 0deg..90deg; let end = polar(crank, phi); }
+    impl Other { pub fn motion(phi) -> OtherMotion { end } }
+    pub struct Forms {
+        unit mm;
+        const base = (1mm, 2mm);
+        /* param crank = 2mm; */
+        param crank = 2 * (20mm + 1mm); // param crank = 3mm;
+        param pivot = (10mm, -(2mm + 1mm)) +- 0.1mm;
+        param tool =
+            polar(5mm, 30deg);
+        param size = 2 +- 0.1;
+        part arm: Other { phi = phi };
+        input phi = 30deg in 0deg..90deg;
+        let end = pivot + polar(crank * size, phi) + tool + base;
+    }
+    impl Forms { pub fn motion(phi) -> FormsMotion { end, other: arm.end } }";
+    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("forms");
+    fs::create_dir_all(&folder).expect("a folder");
+    fs::write(folder.join("forms.mech"), text).expect("a file");
+    let mut command = Command::new(env!("CARGO_BIN_EXE_linkage"));
+    let output = command
+        .args(["page", "forms.mech", "--mechanism", "Forms"])
+        .current_dir(&folder)
+        .output();
+    let output = output.expect("it runs");
+    assert!(output.status.success(), "{output:?}");
+    let Some(mut page) = Page::open(&folder.join("forms_page/index.html")) else {
+        return;
+    };
+    page.value(CATCH);
+    for (name, value) in [
+        ("crank", "43"),
+        ("pivot.y", "-4"),
+        ("tool.x", "6"),
+        ("size", "1.5"),
+        ("arm.crank", "8"),
+    ] {
+        typed(&mut page, name, value);
+    }
+    let changed = saved_file(&mut page, "Forms.mech");
+    let expected = text
+        .replace("2 * (20mm + 1mm);", "43mm;")
+        .replace("-(2mm + 1mm)) +- 0.1mm", "-4mm) +- 0.1mm")
+        .replace("2 +- 0.1", "1.5 +- 0.1");
+    let (notes, rest) = changed.split_once("\n\n").expect("notes before the text");
+    assert_eq!(format!("\n{rest}"), expected);
+    assert!(
+        notes.ends_with("\n// not part of this text: tool.x, arm.crank"),
+        "{notes}"
+    );
+    page.assert_quiet();
 }

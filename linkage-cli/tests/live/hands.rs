@@ -3,7 +3,7 @@
 use std::thread;
 use std::time::Duration;
 
-use linkage_browser::{DESKTOP, Key, PHONE, Screen};
+use linkage_browser::{Key, PHONE};
 
 use crate::pages::{self, Live};
 
@@ -134,10 +134,6 @@ fn pulled_values_have_the_digits_of_pixels() {
     );
     // So has a slider, up to where the mechanism ends.
     live.page.value("document.getElementById('reset').click()");
-    live.page.screen(Screen {
-        height: 1400,
-        ..DESKTOP
-    });
     let slider = "input[data-slides=rocker]";
     let (x, y) = live.page.middle(slider);
     live.page.drag((x, y), (x + 13.0, y));

@@ -11,7 +11,7 @@ use linkage_engine::{Assembly, Mechanism, Source};
 pub(crate) const CATCH: &str = "window.saved = []; URL.createObjectURL = (blob) => { window.saved.push(blob); return 'data:,'; }; 0";
 
 /// Saves a file, and gives its text.
-pub(crate) const SAVED: &str = "document.querySelector('button[data-file=\"NAME\"]').click(); \
+const SAVED: &str = "document.querySelector('button[data-file=\"NAME\"]').click(); \
      while (window.saved.length === 0) await new Promise((done) => setTimeout(done, 5)); \
      return window.saved.pop().text();";
 
@@ -90,9 +90,14 @@ impl Live {
 
     /// A file as the page saves it.
     pub(crate) fn file(&mut self, name: &str) -> String {
-        let saved = SAVED.replace("NAME", name);
-        self.page.words(&format!("(async () => {{ {saved} }})()"))
+        saved_file(&mut self.page, name)
     }
+}
+
+/// A file as a page saves it.
+pub(crate) fn saved_file(page: &mut Page, name: &str) -> String {
+    let saved = SAVED.replace("NAME", name);
+    page.words(&format!("(async () => {{ {saved} }})()"))
 }
 
 /// The first mechanism of a file.

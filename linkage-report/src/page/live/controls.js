@@ -9,6 +9,7 @@ function startLive() {
   startModel();
   startGhost();
   startChanges();
+  startText();
   makeControls();
   onChange(showChange);
   onChange(showControls);
