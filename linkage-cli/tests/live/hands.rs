@@ -289,3 +289,47 @@ fn old_browsers_and_networks() {
     live.page.load(&file);
     live.page.wait("!document.getElementById('old').hidden");
 }
+
+/// With a speed that is typed the time is the abscissa, and derivatives are those with respect to time.
+#[test]
+fn a_speed_makes_time() {
+    let Some(mut live) = Live::golden_as("crank_rocker.mech", "time") else {
+        return;
+    };
+    let page = &mut live.page;
+    let shown =
+        "document.querySelector('.legend tr[data-column^=\"motion||v.x\"] .value').innerText";
+    let before = page.words(shown);
+    let number = |text: &str, unit: &str| -> f64 {
+        let (number, found) = text.split_once(' ').expect("a unit");
+        assert_eq!(found, unit);
+        number.parse().expect("a number")
+    };
+    assert!(page.holds("document.getElementById('timed').hidden"));
+    page.value("(() => { const own = document.getElementById('abscissa'); own.value = 'time'; own.dispatchEvent(new Event('change')); })()");
+    let turning = |page: &mut linkage_browser::Page, text: &str| {
+        page.value(&format!("(() => {{ const own = document.getElementById('turning'); own.value = '{text}'; own.dispatchEvent(new Event('change')); }})()"));
+    };
+    turning(page, "1500,5");
+    let speed = 1500.5 * std::f64::consts::PI / 30.0;
+    let after = page.words(shown);
+    let ratio = number(&after, "mm/s") / number(&before, "mm/rad");
+    assert!((ratio / speed - 1.0).abs() < 1e-4, "{before}, {after}");
+    let units = page
+        .words("[...document.querySelectorAll('.panel')].map((own) => own.dataset.unit).join(' ')");
+    assert!(
+        units.contains("mm/s mm/s^2") && !units.contains("rad^2"),
+        "{units}"
+    );
+    turning(page, "fast");
+    assert!(
+        page.holds("document.getElementById('turning').getAttribute('aria-invalid') === 'true'")
+    );
+    assert_eq!(page.words(shown), after);
+    // Curves follow other dimensions.
+    page.value("location.hash = 'arm=35'");
+    page.wait(&format!("{shown} !== '{after}'"));
+    page.value("(() => { const own = document.getElementById('abscissa'); own.value = ''; own.dispatchEvent(new Event('change')); })()");
+    number(&page.words(shown), "mm/rad");
+    page.assert_quiet();
+}

@@ -10,7 +10,7 @@ const widening = { factor: 1 };
 // Panels by unit in the order of the columns, or one for each column.
 function chosenPanels(apart) {
   const panels = new Map();
-  for (const column of columns.filter((column) => chosen.has(column.key) && !isOfHiddenPart(column))) {
+  for (const column of columns.filter((column) => chosen.has(column.key) && !isOfHiddenPart(column)).map(timedColumn)) {
     const unit = plotUnit(column.unit);
     const name = apart ? column.key : unit;
     if (!panels.has(name)) panels.set(name, { name, unit, curves: [] });

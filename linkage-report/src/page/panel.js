@@ -71,7 +71,7 @@ function shadeGaps({ gaps: group, scales }) {
   const gaps = isAgainstInput() ? report.gaps ?? [] : [];
   if (gaps.length === 0 && !group.hasChildNodes()) return;
   const parts = gaps.flatMap(({ from, to }) => {
-    const ends = [from, to].map((value) => scales.x(plotValue(value, input.unit)));
+    const ends = [from, to].map((value) => scales.x(inputPlace(value)));
     const [x, width] = [Math.min(...ends), Math.max(2, Math.abs(ends[1] - ends[0]))];
     return [
       shape("rect", { class: "gap", x: pixel(x), y: PANEL.top, width: pixel(width), height: scales.tall }),

@@ -4,7 +4,7 @@ const plots = { panels: [], width: 0, apart: false };
 
 function startPlots() {
   startChooser(makePanels);
-  byId("chooser").append(apartChoice(), abscissaChoice(), extremesChoice(), zoomButtons());
+  byId("chooser").append(apartChoice(), ...abscissaChoice(), extremesChoice(), zoomButtons());
   if (columns.some((column) => column.bands.length > 0)) byId("chooser").append(wideningChoice());
   byId("chooser").append(zoomHint());
   new ResizeObserver(measurePanels).observe(byId("panels"));
