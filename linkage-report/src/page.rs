@@ -70,7 +70,7 @@ const START: usize = SCRIPTS.len() - 1;
 
 /// Styles and scripts of a page that computes, before the last script.
 const LIVE_STYLE: &str = include_str!("page/live/live.css");
-const LIVE: [&str; 19] = [
+const LIVE: [&str; 20] = [
     include_str!("page/live/model.js"),
     include_str!("page/live/derived.js"),
     include_str!("page/live/reason.js"),
@@ -84,6 +84,7 @@ const LIVE: [&str; 19] = [
     include_str!("page/live/link.js"),
     include_str!("page/live/show.js"),
     include_str!("page/live/ghost.js"),
+    include_str!("page/live/kept.js"),
     include_str!("page/live/pull.js"),
     include_str!("page/live/changes.js"),
     include_str!("page/live/text.js"),

@@ -333,3 +333,62 @@ fn a_speed_makes_time() {
     number(&page.words(shown), "mm/rad");
     page.assert_quiet();
 }
+
+/// A design that is kept is dotted in plots and drawing, beside the one that is changed.
+#[test]
+fn a_design_is_kept_for_comparison() {
+    let Some(mut live) = Live::text("kept", DRAWN) else {
+        return;
+    };
+    let page = &mut live.page;
+    let paths = |page: &mut linkage_browser::Page, selector: &str| {
+        page.words(&format!("[...document.querySelectorAll('{selector}')].map((own) => own.getAttribute('d')).join('|')"))
+    };
+    let value =
+        "document.querySelector('.legend tr[data-column^=\"motion||psi\"] .value').innerText";
+    page.value("location.hash = 'crank=45'");
+    page.wait("document.getElementById('changes').textContent !== ''");
+    let before = page.words(value);
+    page.value("document.getElementById('keep').click()");
+    let kept = paths(page, ".curve.kept");
+    assert!(kept.len() > 2000);
+    assert_eq!(
+        kept,
+        paths(page, ".curve:not(.kept)"),
+        "nothing differs yet"
+    );
+    let ghost = paths(page, ".ghost path");
+    page.value("location.hash = 'crank=45&rocker=110'");
+    page.wait("document.getElementById('changes').textContent.includes('rocker')");
+    assert_ne!(paths(page, ".curve.kept"), paths(page, ".curve:not(.kept)"));
+    assert_eq!(
+        paths(page, ".ghost path"),
+        ghost,
+        "the drawing keeps it, too"
+    );
+    let after = page.words(value);
+    assert!(
+        after.ends_with(&format!("dotted {before}")),
+        "{before}, {after}"
+    );
+    assert_eq!(
+        page.words("document.getElementById('kept').textContent"),
+        "Dotted: crank = 45 mm (50)"
+    );
+    let svg = live.file("plots.svg");
+    assert!(
+        svg.contains("(50), rocker = 110 mm (100); Dotted: crank = 45 mm (50)"),
+        "the saved plots name both"
+    );
+    assert!(!live.file("motion.csv").contains("Dotted"));
+    let page = &mut live.page;
+    page.shoot("kept");
+    page.value("document.getElementById('keep').click()");
+    assert!(page.holds("document.querySelector('.kept, #kept') === null"));
+    assert_ne!(
+        paths(page, ".ghost path"),
+        ghost,
+        "that of the report again"
+    );
+    page.assert_quiet();
+}

@@ -78,7 +78,9 @@ function picturePage(width, height, ground, ...children) {
 // The note, broken between words.
 function noteLines(most) {
   const lines = [];
-  for (const word of saved.note().split(" ").filter((own) => own !== "")) {
+  // A picture may have two designs.
+  const text = [saved.note(), kept.words].filter((own) => own !== "").join("; ");
+  for (const word of text.split(" ").filter((own) => own !== "")) {
     if (lines.length > 0 && lines.at(-1).length + word.length < most) lines.push(`${lines.pop()} ${word}`);
     else lines.push(word);
   }

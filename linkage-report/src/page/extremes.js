@@ -40,7 +40,7 @@ function markExtremes(panel, across) {
   }
   // No label hides a circle.
   const labels = found.map(({ place: [x, y] }) => [x - CIRCLE, y - CIRCLE, x + CIRCLE, y + CIRCLE]);
-  const lines = found.length === 0 ? [] : panel.curves.map((curve) => heightsOf(curve, across, scales));
+  const lines = found.length === 0 ? [] : [...panel.curves, ...(isAgainstInput() ? keptCurves(panel) : [])].map((curve) => heightsOf(curve, across, scales));
   // The outermost have the least room.
   const room = ({ which, place: [, y] }) => (which === 0 ? scales.tall - y : y);
   for (const own of [...found].sort((a, b) => room(a) - room(b))) placeMark(own, panel, labels, lines);

@@ -62,9 +62,17 @@ function fillPanel(panel, width) {
   const across = places.map((x) => (x === null ? null : pixelText(x)));
   for (const curve of panel.curves) {
     set(curve.line, { d: curveOutline(curve, across, scales) });
+    if (curve.kept !== null) set(curve.keptLine, { d: curveOutline(curve.kept, keptAcross(across, scales), scales) });
     for (const [band, area] of curve.areas) set(area, { d: bandOutline(curve, band, across, scales) });
   }
   markExtremes(panel, places);
+}
+
+// The places of the rows of the design that is kept, which has other values of a quantity.
+function keptAcross(across, scales) {
+  if (isAgainstInput()) return across;
+  const { unit, key } = abscissa.column;
+  return kept.columns.get(key).map((value) => (value === null ? null : pixelText(scales.x(plotValue(value, unit)))));
 }
 
 function shadeGaps({ gaps: group, scales }) {
@@ -98,8 +106,10 @@ function bandAreas(panel) {
 function curveLines(panel) {
   for (const curve of panel.curves) {
     curve.line = shape("path", { class: "curve", "data-column": curve.column.key, stroke: curve.colour, "stroke-dasharray": curve.dash });
+    curve.keptLine = shape("path", { class: "curve kept", "data-kept": curve.column.key, stroke: curve.colour, "stroke-dasharray": "1 4" });
   }
-  return shape("g", { class: "curves" }, ...panel.curves.map(({ line }) => line));
+  const before = panel.curves.filter((curve) => curve.kept !== null).map(({ keptLine }) => keptLine);
+  return shape("g", { class: "curves" }, ...before, ...panel.curves.map(({ line }) => line));
 }
 
 // A line at a row, with a dot on each curve.

@@ -48,6 +48,7 @@ function makeControls() {
     button("reset", "Reset", "All as in the report", resetAll),
     button("undo", "Undo", "Undo (ctrl z)", undo),
     button("redo", "Redo", "Redo (ctrl y)", redo),
+    keepButton(),
     ...(live.firstModes.length > 0 || engine.programs[0].coupled.length > 0 ? [assemblyChoice()] : []),
     element("span", { class: "choices" }, "Copy ", copy("copy-rust", "Rust", asRust), copy("copy-text", "text", asText), copy("copy-link", "link", addressNow)));
   const says = element("p", { id: "says", role: "status" });
