@@ -9,6 +9,8 @@ const drawing = {
   // Nodes by the points' indices.
   points: new Map(),
   layers: {},
+  // Functions that draw it at a row.
+  placers: [],
   // Nodes over the drawing: buttons, and the scale with the directions of the axes.
   tools: [],
   marks: [],
@@ -28,6 +30,7 @@ function startDrawing() {
   new ResizeObserver(measureDrawing).observe(byId("figure"));
   measureDrawing();
   for (const index of picture.traces) toggleTrace(index);
+  drawing.placers.push(placeParts);
   onMove(placeParts);
 }
 
@@ -93,7 +96,7 @@ function placeParts(row) {
   placeNames(tops, [...[...seen, ...tops, ...signs].flatMap((part) => part.covers), ...[...traces.covers.values()].flat(), ...drawing.tools, ...drawing.marks]);
   const isThere = (part) => !part.away;
   const whole = seen.length === drawing.bodies.filter(isThere).length && tops.length === drawing.tops.filter(isThere).length;
-  drawVectors();
+  drawVectors(row);
   byId("impossible").hidden = whole;
   byId("impossible").textContent = whole ? "" : `Cannot be assembled at ${inputShort(input.values[row])}`;
 }

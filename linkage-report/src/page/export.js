@@ -44,8 +44,8 @@ function setStyles(node, style) {
   }
 }
 
-// A copy that looks the same anywhere, or null for a node that is not seen.
-function standing(node) {
+// A copy that looks the same anywhere, or null for a node that is not seen. `pairs` takes the shapes with their copies.
+function standing(node, pairs = []) {
   if (node.nodeType === Node.TEXT_NODE) return document.createTextNode(node.data);
   const style = getComputedStyle(node);
   if (style.display === "none" && !node.closest("clipPath, title")) return null;
@@ -57,7 +57,8 @@ function standing(node) {
     const seen = style.visibility === "visible" && COLOURS.some((name) => copy.getAttribute(name) !== "none");
     if (!seen) return null;
   }
-  copy.append(...[...node.childNodes].map(standing).filter((child) => child !== null));
+  pairs.push([node, copy]);
+  copy.append(...[...node.childNodes].map((child) => standing(child, pairs)).filter((child) => child !== null));
   return copy;
 }
 
@@ -91,9 +92,9 @@ function textOf(view) {
   return new XMLSerializer().serializeToString(view);
 }
 
-function drawingPage() {
+function drawingPage(pairs = []) {
   const figure = getComputedStyle(byId("figure"));
-  const layers = [...byId("drawing").childNodes].map(standing).filter((layer) => layer !== null);
+  const layers = [...byId("drawing").childNodes].map((layer) => standing(layer, pairs)).filter((layer) => layer !== null);
   return picturePage(Math.round(camera.width), Math.round(camera.height), figure.backgroundColor, ...layers);
 }
 
@@ -137,8 +138,8 @@ async function pixelsOf(view) {
 
 function pictureButtons() {
   const pages = [...(picture ? [["mechanism", drawingPage]] : []), ...(cycle.view ? [["cyclogram", cyclogramPage]] : []), ["plots", plotsPage]];
-  return pages.flatMap(([name, make]) => [
-    downloadButton(`${name}.svg`, () => new Blob([textOf(make())], { type: "image/svg+xml" })),
-    downloadButton(`${name}.png`, () => pixelsOf(make())),
-  ]);
+  const vector = (name, make) => downloadButton(`${name}.svg`, () => new Blob([textOf(make())], { type: "image/svg+xml" }));
+  // In space the order of what is drawn changes with the position.
+  const films = picture && !isSpatial() && rowCount > 1 ? [vector("moving", filmPage)] : [];
+  return [...pages.flatMap(([name, make]) => [vector(name, make), downloadButton(`${name}.png`, () => pixelsOf(make()))]), ...films];
 }

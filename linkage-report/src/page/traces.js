@@ -19,7 +19,7 @@ function toggleTrace(index) {
     traces.paths.set(index, addTrace(index));
   }
   forgetVectors();
-  drawVectors();
+  drawVectors(position.row);
   const node = drawing.points.get(index);
   node.setAttribute("aria-pressed", traces.paths.has(index));
   node.style.setProperty("--colour", traceColour(index));

@@ -8,7 +8,7 @@ const POLE = { far: 20, same: 1e-3, arm: 7 };
 // Derivatives of the first and the second order from rows on both sides, the errors of which are of the fourth power of their distance.
 const DIFFERENCES = { 1: [1 / 12, -2 / 3, 0, 2 / 3, -1 / 12], 2: [-1 / 12, 4 / 3, -5 / 2, 4 / 3, -1 / 12] };
 
-const vectors = { shown: new Map(), arrows: [], longest: new Map(), layer: null };
+const vectors = { shown: new Map(), nodes: new Map(), longest: new Map(), layer: null };
 
 // A row beside another one; over the end of a whole turn it goes on.
 function rowBeside(row, by) {
@@ -60,16 +60,26 @@ function arrowOf(index, row, order) {
   if (place === null || rate === null || !(longest > 0) || isHidden(["points", index])) return null;
   const [from, to] = [place, along(place, rate, (ARROW.share * camera.box.radius) / longest)].map((own) => project(own).slice(0, 2));
   const length = distance(from, to);
-  if (!(length > 1)) return null;
-  const [u, v] = [(to[0] - from[0]) / length, (to[1] - from[1]) / length];
+  const [u, v] = length > 0 ? [(to[0] - from[0]) / length, (to[1] - from[1]) / length] : [1, 0];
   const head = Math.min(ARROW.head, length);
-  const corner = (side) => [to[0] - head * u - side * ARROW.half * v, to[1] - head * v + side * ARROW.half * u];
+  const half = (ARROW.half * head) / ARROW.head;
+  const corner = (side) => [to[0] - head * u - side * half * v, to[1] - head * v + side * half * u];
   const [name, unit] = [order === 1 ? "velocity" : "acceleration", `${picture.unit}/${input.unit || "1"}${order === 1 ? "" : "^2"}`];
   const { name: point } = picture.points[index];
-  return shape("g", { class: name, "data-arrow": point },
-    shape("title", {}, `${name} of ${point}: ${digits(rounded(Math.hypot(...rate), 4))} ${unit}`),
-    shape("path", { class: "line", d: lineThrough([from, to]) }),
-    shape("path", { class: "head", d: `${lineThrough([to, corner(1), corner(-1)])}Z` }));
+  const { node, title, line, head: tip } = vectorNode(`${name} ${point}`, () => {
+    const parts = { title: shape("title"), line: shape("path", { class: "line" }), head: shape("path", { class: "head" }) };
+    return { ...parts, node: shape("g", { class: name, "data-arrow": point }, parts.title, parts.line, parts.head) };
+  });
+  write(title, `${name} of ${point}: ${digits(rounded(Math.hypot(...rate), 4))} ${unit}`);
+  set(line, { d: lineThrough([from, to]) });
+  set(tip, { d: `${lineThrough([to, corner(1), corner(-1)])}Z` });
+  return node;
+}
+
+// Nodes stay, as those of the mechanism do.
+function vectorNode(key, make) {
+  if (!vectors.nodes.has(key)) vectors.nodes.set(key, make());
+  return vectors.nodes.get(key);
 }
 
 // The point of a plane link that is at rest; null if the link does not turn, or about a pivot that is drawn anyway.
@@ -96,10 +106,15 @@ function poleMark(link, index, row) {
   if (pole === null) return null;
   const [x, y] = project(pole).map(pixel);
   const { arm } = POLE;
-  return shape("g", { class: "pole", "data-pole": link.name, "data-x": pole[0], "data-y": pole[1] },
-    shape("title", {}, `pole of link ${link.name}: it turns about this point`),
-    shape("path", { d: `M${x - arm} ${y}H${x + arm}M${x} ${y - arm}V${y + arm}` }),
-    shape("text", { x: x + arm, y: y - arm }, link.name));
+  const { node, cross, text } = vectorNode(`pole ${link.name}`, () => {
+    const parts = { cross: shape("path"), text: shape("text", {}, link.name) };
+    const title = shape("title", {}, `pole of link ${link.name}: it turns about this point`);
+    return { ...parts, node: shape("g", { class: "pole", "data-pole": link.name }, title, parts.cross, parts.text) };
+  });
+  set(node, { "data-x": pole[0], "data-y": pole[1] });
+  set(cross, { d: `M${x - arm} ${y}L${x + arm} ${y}M${x} ${y - arm}L${x} ${y + arm}` });
+  set(text, { x: x + arm, y: y - arm });
+  return node;
 }
 
 const VECTOR_KINDS = {
@@ -117,14 +132,12 @@ function startVectors() {
     button.addEventListener("click", () => {
       if (!vectors.shown.delete(kind)) vectors.shown.set(kind, VECTOR_KINDS[kind].make);
       button.setAttribute("aria-pressed", vectors.shown.has(kind));
-      drawVectors();
+      drawVectors(position.row);
     });
     byId("views").append(button);
   }
 }
 
-function drawVectors() {
-  if (vectors.shown.size === 0 && !vectors.layer.hasChildNodes()) return;
-  const nodes = [...vectors.shown.values()].flatMap((make) => make(position.row));
-  vectors.layer.replaceChildren(...nodes.filter((node) => node !== null));
+function drawVectors(row) {
+  hold(vectors.layer, [...vectors.shown.values()].flatMap((make) => make(row)).filter((node) => node !== null));
 }

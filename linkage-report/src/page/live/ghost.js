@@ -11,6 +11,7 @@ function startGhost() {
   ghost.places = ghost.ofReport = placesNow();
   ghost.layer = shape("g", { class: "ghost", "aria-hidden": "true" });
   byId("drawing").prepend(ghost.layer);
+  drawing.placers.push(drawGhost);
   onMove(drawGhost);
   camera.listeners.push(() => drawGhost(position.row));
 }
