@@ -20,7 +20,7 @@ const STYLES: [&str; 7] = [
     include_str!("page/print.css"),
 ];
 /// Joined in this order; the last one starts the page.
-const SCRIPTS: [&str; 44] = [
+const SCRIPTS: [&str; 45] = [
     include_str!("page/dom.js"),
     include_str!("page/fresh.js"),
     include_str!("page/numbers.js"),
@@ -60,6 +60,7 @@ const SCRIPTS: [&str; 44] = [
     include_str!("page/values.js"),
     include_str!("page/export.js"),
     include_str!("page/film.js"),
+    include_str!("page/dxf.js"),
     include_str!("page/downloads.js"),
     include_str!("page/theme.js"),
     include_str!("page/print.js"),

@@ -336,3 +336,64 @@ fn defaults_of_every_form_are_replaced() {
     );
     page.assert_quiet();
 }
+
+/// Lines of DXF in an order of their own, numbers without their last digits: outlines may begin at other corners.
+fn entities(dxf: &str) -> Vec<String> {
+    let rounded = |line: &str| match line.parse::<f64>() {
+        Ok(number) => format!("{:.9}", number + 0.0),
+        Err(_) => line.to_owned(),
+    };
+    let mut lines: Vec<String> = dxf.lines().map(rounded).collect();
+    lines.sort();
+    lines
+}
+
+/// The drawing for other programs is that of the report, and of a changed design has its places and its line.
+#[test]
+fn the_drawing_is_saved_for_other_programs() {
+    for name in ["favorit.rs", "spatial_crank_rocker.rs"] {
+        let Some(mut live) = Live::example_as(name, "dxf") else {
+            return;
+        };
+        let stem = name.trim_end_matches(".rs");
+        let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join(format!("dxf_{stem}"));
+        let of_report = fs::read_to_string(folder.join("drawing.dxf")).expect("it was written");
+        let caption = of_report
+            .lines()
+            .find(|line| line.contains(", lengths in "));
+        let caption = caption.expect("a caption").to_owned();
+        let row = (0..361).find(|row| {
+            live.page.value(&format!("(() => {{ const slider = document.getElementById('position'); slider.value = {row}; slider.dispatchEvent(new Event('input')); }})()"));
+            let shown = live.page.words("document.querySelector('#readout b').textContent");
+            caption.starts_with(&format!("{shown}, "))
+        });
+        assert!(row.is_some(), "{caption}");
+        let of_page = live.file("mechanism.dxf");
+        assert_eq!(entities(&of_page), entities(&of_report), "{name}");
+        // Codes and values take turns.
+        assert_eq!(of_page.lines().count() % 2, 0);
+        let (dimension, nominal) = {
+            let mut all = live.mechanism.parameters().iter();
+            let own = all
+                .find(|own| own.unit != "rad" && own.nominal > 0.0)
+                .expect("a length");
+            (own.name, own.nominal)
+        };
+        live.page.value(&format!(
+            "location.hash = '{dimension}={}'",
+            nominal * 1.001
+        ));
+        live.page
+            .wait("document.getElementById('changes').textContent !== ''");
+        let said = line(&mut live.page);
+        let changed = live.file("mechanism.dxf");
+        assert!(
+            changed.starts_with(&format!("999\r\n{said}\r\n")),
+            "{}",
+            &changed[..80]
+        );
+        assert!(changed.contains(&format!("  1\r\n{said}\r\n")));
+        assert_ne!(entities(&changed), entities(&of_page));
+        live.page.assert_quiet();
+    }
+}

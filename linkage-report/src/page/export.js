@@ -141,5 +141,6 @@ function pictureButtons() {
   const vector = (name, make) => downloadButton(`${name}.svg`, () => new Blob([textOf(make())], { type: "image/svg+xml" }));
   // In space the order of what is drawn changes with the position.
   const films = picture && !isSpatial() && rowCount > 1 ? [vector("moving", filmPage)] : [];
-  return [...pages.flatMap(([name, make]) => [vector(name, make), downloadButton(`${name}.png`, () => pixelsOf(make()))]), ...films];
+  return [...pages.flatMap(([name, make]) => [vector(name, make), downloadButton(`${name}.png`, () => pixelsOf(make()))]), ...films,
+    ...(picture ? [downloadButton("mechanism.dxf", () => new Blob([dxfNow()], { type: "image/vnd.dxf" }))] : [])];
 }
