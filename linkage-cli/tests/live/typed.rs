@@ -8,7 +8,7 @@ use crate::pages::Live;
 /// Types a text into a field and confirms it.
 fn typed(live: &mut Live, name: &str, text: &str) {
     let page = &mut live.page;
-    page.value(&format!("(() => {{ const field = document.querySelector('input[data-dimension={name}]'); field.focus(); field.select(); }})()"));
+    page.value(&format!("(() => {{ const field = document.querySelector('input[data-dimension=\"{name}\"]'); field.focus(); field.select(); }})()"));
     page.type_text(text);
     page.key(Key::Enter);
     // Leaving the field tells of the change once more.
@@ -16,7 +16,7 @@ fn typed(live: &mut Live, name: &str, text: &str) {
 }
 
 fn field(live: &mut Live, name: &str) -> (String, bool) {
-    let selector = format!("document.querySelector('input[data-dimension={name}]')");
+    let selector = format!("document.querySelector('input[data-dimension=\"{name}\"]')");
     let text = live.page.words(&format!("{selector}.value"));
     let marked = live.page.holds(&format!(
         "{selector}.getAttribute('aria-invalid') === 'true'"
@@ -176,6 +176,17 @@ fn numbers_are_in_the_unit_of_the_field() {
         assert_eq!(field(&mut live, name), (shown.to_owned(), false), "{text}");
         assert_eq!(live.says(), "");
     }
+    // A negative length is taken with a remark, a negative coordinate without one.
+    typed(&mut live, "pivot_d.y", "-3");
+    assert_eq!(live.says(), "");
+    typed(&mut live, "arm", "-70");
+    assert_eq!(field(&mut live, "arm"), ("-70".to_owned(), false));
+    assert_eq!(
+        live.says(),
+        "arm is negative: as a length it leads the other way."
+    );
+    typed(&mut live, "arm", "70");
+    assert_eq!(live.says(), "");
     // Arrows step by one, and an empty field is as before.
     live.page
         .value("document.querySelector('input[data-dimension=crank]').focus()");

@@ -140,7 +140,7 @@ function tell(error) {
 
 function say(text) {
   const still = live.tables.filter(({ why }) => why !== null).map(({ table, why }) => `${table.function} is not computed here: ${why}.`);
-  const all = [text, ...refusals(), ...(isChanged() ? still : [])].filter((own) => own !== null);
+  const all = [text, ...refusals(), ...negativeLengths(), ...(isChanged() ? still : [])].filter((own) => own !== null);
   byId("says").textContent = all.join(" ");
 }
 

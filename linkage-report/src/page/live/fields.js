@@ -51,6 +51,13 @@ function refusals() {
   return [...controls.rows.values()].filter(({ refused }) => refused !== null).map(({ refused }) => refused.why);
 }
 
+// Coordinates and angles have both signs, and so may a length have that is negative in the report.
+function negativeLengths() {
+  const isLength = (name) => !/\.[xyz]$/.test(name) && report.dimensions.some((own) => own.name === name && QUANTITIES.length === UNITS.get(own.unit)?.powers);
+  const found = changedOnes().filter(([name, value]) => value < 0 && valueInReport(name) > 0 && isLength(name));
+  return found.map(([name]) => `${name} is negative: as a length it leads the other way.`);
+}
+
 function forgetRefusals() {
   for (const row of controls.rows.values()) row.refused = null;
 }
