@@ -5,8 +5,12 @@ const ARROW = { share: 0.35, head: 9, half: 3.6 };
 // A pole farther away than so many sizes of the mechanism is at infinity, and one so near to a pivot is that.
 const POLE = { far: 20, same: 1e-3, arm: 7 };
 
-// Derivatives of the first and the second order from rows on both sides, the errors of which are of the fourth power of their distance.
-const DIFFERENCES = { 1: [1 / 12, -2 / 3, 0, 2 / 3, -1 / 12], 2: [-1 / 12, 4 / 3, -5 / 2, 4 / 3, -1 / 12] };
+// Weights of five rows for the derivatives of the first and the second order at the first, second and third of them. The errors are of the fourth
+// power of their distance, of the third for second derivatives that are not in the middle.
+const DIFFERENCES = {
+  1: [[-25 / 12, 4, -3, 4 / 3, -1 / 4], [-1 / 4, -5 / 6, 3 / 2, -1 / 2, 1 / 12], [1 / 12, -2 / 3, 0, 2 / 3, -1 / 12]],
+  2: [[35 / 12, -26 / 3, 19 / 2, -14 / 3, 11 / 12], [11 / 12, -5 / 3, 1 / 2, 1 / 3, -1 / 12], [-1 / 12, 4 / 3, -5 / 2, 4 / 3, -1 / 12]],
+};
 
 const vectors = { shown: new Map(), nodes: new Map(), longest: new Map(), layer: null };
 
@@ -17,16 +21,17 @@ function rowBeside(row, by) {
   return input.periodic ? (beside + rowCount - 1) % (rowCount - 1) : null;
 }
 
-// The derivative of a place with respect to the input; null where rows beside it are missing, or not as far away as the others.
+// The derivative of a place with respect to the input, by rows on both sides if there are such; null if five of them are nowhere.
 function placeRate(index, row, order) {
-  const rows = [-2, -1, 0, 1, 2].map((by) => rowBeside(row, by));
-  if (rows.includes(null)) return null;
   const step = span() / (rowCount - 1);
-  const isEven = (own, k) => own < rows[k] || Math.abs(input.values[own] - input.values[rows[k]] - step) < 1e-6 * Math.abs(step);
-  if (!rows.slice(1).every(isEven)) return null;
-  const places = rows.map((own) => pointAt(index, own));
-  if (places.includes(null)) return null;
-  return places[0].map((_, i) => DIFFERENCES[order].reduce((sum, weight, k) => sum + weight * places[k][i], 0) / step ** order);
+  for (const before of [2, 1, 3, 0, 4]) {
+    const rows = [0, 1, 2, 3, 4].map((k) => rowBeside(row, k - before));
+    const places = rows.map((own) => (own === null ? null : pointAt(index, own)));
+    if (places.includes(null)) continue;
+    const weights = before > 2 ? DIFFERENCES[order][4 - before].toReversed().map((own) => (order === 1 ? -own : own)) : DIFFERENCES[order][before];
+    return places[0].map((_, i) => weights.reduce((sum, weight, k) => sum + weight * places[k][i], 0) / step ** order);
+  }
+  return null;
 }
 
 // The points with arrows: those whose paths are shown, otherwise all that move.
@@ -125,9 +130,10 @@ const VECTOR_KINDS = {
 
 function startVectors() {
   vectors.layer = drawing.layers.vectors;
-  // Numbers of these are of whole steps of the input.
+  // Differences need even steps of the input.
+  if (rowCount < 5 || report.thinned) return;
   for (const [kind, { text, title }] of Object.entries(VECTOR_KINDS)) {
-    if (rowCount < 5 || (kind === "poles" && isSpatial())) continue;
+    if (kind === "poles" && isSpatial()) continue;
     const button = element("button", { type: "button", "data-vectors": kind, "aria-pressed": "false", title }, text);
     button.addEventListener("click", () => {
       if (!vectors.shown.delete(kind)) vectors.shown.set(kind, VECTOR_KINDS[kind].make);

@@ -102,7 +102,7 @@ fn poles_are_where_links_are_at_rest() {
 }
 
 #[test]
-fn arrows_in_space_and_beside_gaps() {
+fn arrows_in_space_and_next_to_gaps() {
     for (name, report) in [
         ("space", spatial()),
         ("swinging", four_bar("Arrows", FourBar::SWINGING)),
@@ -155,5 +155,32 @@ fn time_is_an_abscissa() {
         page.row()
     );
     page.shoot("plot-time");
+    page.assert_quiet();
+}
+
+/// At the ends of a range, and next to a gap, rows of one side are enough.
+#[test]
+fn arrows_at_ends_of_ranges() {
+    let file = written(&four_bar("Ends", FourBar::SWINGING), "arrows-ends");
+    let Some(mut page) = Page::open(&file) else {
+        return;
+    };
+    page.click("[data-vectors=velocity]");
+    let report = checks::report(&mut page);
+    let there = |row: usize| report["tables"][0]["columns"][0]["values"][row].is_f64();
+    let edge = (1..361).find(|&row| there(row) != there(row - 1));
+    let edge = edge.expect("a gap");
+    let row = if there(edge) { edge } else { edge - 1 };
+    checks::go_to(&mut page, row);
+    let (_, size) = arrow(&mut page, "velocity");
+    assert!(size > 0.0);
+    // Near a dead point the velocity changes fast: some rows away from it differences are good.
+    let row = if there(edge) { edge + 12 } else { edge - 13 };
+    checks::go_to(&mut page, row);
+    let (_, size) = arrow(&mut page, "velocity");
+    let phi = (row as f64).to_radians();
+    let [before, after] = [-1e-5, 1e-5].map(|step| FourBar::SWINGING.points(phi + step)[2]);
+    let exact = (after[0] - before[0]).hypot(after[1] - before[1]) / 2e-5;
+    assert!((size / exact - 1.0).abs() < 1e-3, "{size}, {exact}");
     page.assert_quiet();
 }
