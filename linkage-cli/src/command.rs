@@ -11,6 +11,7 @@ mod assemblies;
 mod c;
 mod check;
 mod choose;
+mod declaration;
 mod js;
 mod memory;
 mod new;

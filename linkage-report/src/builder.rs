@@ -39,6 +39,7 @@ pub struct Report {
     pub(super) version: Option<u64>,
     pub(super) programs: Vec<Programs>,
     pub(super) given: Vec<(String, f64)>,
+    pub(super) source: Option<String>,
     pub(super) csv_style: CsvStyle,
     pub(super) cyclogram: Option<Cyclogram>,
 }
@@ -87,6 +88,7 @@ impl Report {
             version: None,
             programs: Vec::new(),
             given: Vec::new(),
+            source: None,
             csv_style: CsvStyle::default(),
             cyclogram: None,
         }
@@ -194,6 +196,14 @@ impl Report {
     #[must_use]
     pub fn argument(mut self, argument: impl Into<String>, value: f64) -> Self {
         self.given.push((argument.into(), value));
+        self
+    }
+
+    /// Sets the text of the mechanism, as a file of the command or the braces of `mechanism!` have
+    /// it. A page with [`programs`](Self::programs) saves it with its dimensions as defaults.
+    #[must_use]
+    pub fn source(mut self, text: impl Into<String>) -> Self {
+        self.source = Some(text.into());
         self
     }
 

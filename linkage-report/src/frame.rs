@@ -2,6 +2,7 @@
 
 use std::string::String;
 
+use super::spaces::{bare_style, push_tight};
 use linkage_formats::characters::escaped;
 
 const FRAME: &str = include_str!("page/frame.html");
@@ -29,7 +30,10 @@ impl Framed<'_> {
         FRAME
             .replace("<!-- title -->", &escaped(self.title))
             .replace("<!-- policy -->", self.policy)
-            .replace("<!-- style -->", &enclosed("style", "", self.style))
+            .replace(
+                "<!-- style -->",
+                &enclosed("style", "", &bare_style(self.style)),
+            )
             .replace("<!-- body -->\n", self.body)
             .replace("<!-- script -->", &enclosed("script", "", &script))
             .replacen(
@@ -40,12 +44,16 @@ impl Framed<'_> {
     }
 }
 
-/// Without comments and indentation, which are for readers of the sources: a fourth of a script. No
-/// text in scripts goes over lines.
+/// Without comments, indentation and other spaces, which are for readers of the sources: a third of
+/// a script. No text in scripts goes over lines.
 pub(super) fn bare(script: &str) -> String {
     let lines = script.lines().map(str::trim_start);
-    let lines = lines.filter(|line| !line.is_empty() && !line.starts_with("//"));
-    lines.flat_map(|line| [line, "\n"]).collect()
+    let mut text = String::new();
+    for line in lines.filter(|line| !line.is_empty() && !line.starts_with("//")) {
+        push_tight(line, &mut text);
+        text.push('\n');
+    }
+    text
 }
 
 fn enclosed(tag: &str, attributes: &str, content: &str) -> String {

@@ -35,6 +35,7 @@ mod plots;
 mod positioned_picture;
 mod rates;
 mod row;
+mod spaces;
 mod summary;
 mod tables;
 mod write;

@@ -15,6 +15,7 @@ use linkage_report::{Index, Report, ReportError};
 use linkage_runtime::Programs;
 
 use super::choose::Chosen;
+use super::declaration::declaration;
 use super::output::print;
 use super::range;
 use super::replaced::refuse_page;
@@ -164,6 +165,9 @@ fn report(options: &Options, mechanism: &Mechanism) -> Result<Report, Failure> {
         });
     if options.watch {
         report = report.version(milliseconds());
+    }
+    if let Some(text) = declaration(options.chosen.file(), mechanism.name()) {
+        report = report.source(text);
     }
     known(mechanism, &options.at)?;
     still(input, &options.at)?;

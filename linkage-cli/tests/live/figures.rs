@@ -40,11 +40,11 @@ fn example(name: &str) -> &'static Mechanism {
     pages::mechanism(&file.join(format!("{name}.rs")))
 }
 
-/// A row of the summary, which is no longer that of the report.
+/// A row of the summary, which is no longer that of the report. The radians of an angle are below its degrees.
 fn figure(page: &mut Page, quantity: &str, what: &str) -> f64 {
     page.number(&format!(
-        "Number([...document.querySelectorAll('#summary tr')].find((row) => row.cells[0].textContent === '{quantity}' && row.cells[1].textContent === '{what}')\
-         .querySelector('[data-exact]').dataset.exact)"
+        "Number([...[...document.querySelectorAll('#summary tr')].find((row) => row.cells[0].textContent === '{quantity}' && row.cells[1].textContent === '{what}')\
+         .querySelectorAll('[data-exact]')].pop().dataset.exact)"
     ))
 }
 
@@ -210,10 +210,7 @@ fn saved_data_are_those_of_the_page() {
         return;
     };
     page.value("window.names = []; HTMLAnchorElement.prototype.click = function () { window.names.push(this.download); }; 0");
-    let saved = |page: &mut Page, file: &str| {
-        let text = pages::SAVED.replace("NAME.csv", file);
-        page.words(&format!("(async () => {{ {text} }})()"))
-    };
+    let saved = pages::saved_file;
     let report = saved(&mut page, "data.json");
     set(&mut page, mechanism, &[("l34", 80.5)]);
     let changed = saved(&mut page, "data.json");
@@ -238,7 +235,7 @@ fn saved_data_are_those_of_the_page() {
     assert_eq!(named(&changed["dimensions"])["value"], 80.5);
     assert_eq!(named(&report["dimensions"])["value"], 81.0);
     let csv = saved(&mut page, "rocker.csv");
-    let second = csv.lines().nth(2).expect("rows").split(',').nth(1);
+    let second = csv.lines().nth(3).expect("rows").split(',').nth(1);
     let second: f64 = second.expect("a value").parse().expect("a number");
     let tables = changed["tables"].as_array().expect("tables");
     let rocker = tables.iter().find(|own| own["function"] == "rocker");
@@ -271,11 +268,8 @@ fn figures_of_the_cycle_follow() {
     let [low, high, stroke] = ["lowest", "highest", "stroke"].map(|what| row(&mut page, what));
     assert_eq!(stroke, high - low);
     // Rows are half a degree apart: the height beside an extreme falls by no more than this between two of them.
-    let csv = page.words(&format!(
-        "(async () => {{ {} }})()",
-        pages::SAVED.replace("NAME", "motion")
-    ));
-    let heights = csv.lines().skip(1).map(|line| {
+    let csv = pages::saved_file(&mut page, "motion.csv");
+    let heights = csv.lines().skip(2).map(|line| {
         line.split(',')
             .nth(2)
             .and_then(|word| word.parse().ok())

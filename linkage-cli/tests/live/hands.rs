@@ -3,7 +3,7 @@
 use std::thread;
 use std::time::Duration;
 
-use linkage_browser::Key;
+use linkage_browser::{Key, PHONE};
 
 use crate::pages::{self, Live};
 
@@ -89,6 +89,101 @@ fn pivots_and_bars_are_pulled() {
         .drag((x + side * 5.0, y), (x + side * (5.0 + 4.0 * scale), y));
     live.page.wait("location.hash.startsWith('#crank=')");
     live.page.assert_quiet();
+}
+
+/// What is pulled has no more digits than a pixel tells, and all of them with shift.
+#[test]
+fn pulled_values_have_the_digits_of_pixels() {
+    let Some(mut live) = Live::text("pulled_digits", DRAWN) else {
+        return;
+    };
+    let scale = live
+        .page
+        .number("Number(document.getElementById('drawing').dataset.scale)");
+    let step = 10_f64.powf((1.0 / scale).log10().floor());
+    assert!(step < 1.0, "{step}");
+    let is_whole = |value: f64| ((value / step).round() * step - value).abs() < 1e-9;
+    let value = |live: &mut Live, name: &str| {
+        live.page.number(&format!(
+            "Number(document.querySelector('input[data-dimension=\"{name}\"]').value)"
+        ))
+    };
+    let (x, y) = live
+        .page
+        .middle(".point.ground[data-point=pivot_d] .target");
+    live.page.drag((x, y), (x + 17.0, y - 7.0));
+    live.page.wait("location.hash.includes('pivot_d')");
+    for (name, before, by) in [("pivot_d.x", 140.0, 17.0), ("pivot_d.y", 0.0, 7.0)] {
+        let shown = value(&mut live, name);
+        assert!(is_whole(shown), "{name} = {shown}");
+        assert!(
+            (shown - before - by / scale).abs() <= step,
+            "{name} = {shown}"
+        );
+    }
+    live.page.value("document.getElementById('reset').click()");
+    let (x, y) = live
+        .page
+        .middle(".point.ground[data-point=pivot_d] .target");
+    live.page.shift_drag((x, y), (x + 17.0, y - 7.0));
+    live.page.wait("location.hash.includes('pivot_d')");
+    let shown = value(&mut live, "pivot_d.x");
+    assert!(
+        !is_whole(shown) && (shown - 140.0 - 17.0 / scale).abs() < 1e-9,
+        "{shown}"
+    );
+    // So has a slider, up to where the mechanism ends.
+    live.page.value("document.getElementById('reset').click()");
+    let slider = "input[data-slides=rocker]";
+    let (x, y) = live.page.middle(slider);
+    live.page.drag((x, y), (x + 13.0, y));
+    live.page.wait("location.hash.startsWith('#rocker=')");
+    let shown = value(&mut live, "rocker");
+    assert!(
+        shown > 100.5 && ((shown * 10.0).round() / 10.0 - shown).abs() < 1e-9,
+        "{shown}"
+    );
+    live.page.value(&format!(
+        "(() => {{ const slider = document.querySelector('{slider}'); slider.min = 5; slider.value = 10; for (const kind of ['input', 'change']) slider.dispatchEvent(new Event(kind)); }})()"
+    ));
+    live.page
+        .wait("document.getElementById('says').textContent.startsWith('That far')");
+    let shown = value(&mut live, "rocker");
+    assert!(
+        ((shown * 10.0).round() / 10.0 - shown).abs() < 1e-9,
+        "{shown}"
+    );
+    let mut dimensions = live.mechanism.dimensions();
+    let mut all = live.mechanism.parameters().iter();
+    let place = all.position(|own| own.name == "rocker").expect("a rocker");
+    dimensions[place] = shown;
+    assert!(live.mechanism.assemble(&dimensions).is_ok(), "{shown}");
+    dimensions[place] = shown - 1.0;
+    assert!(live.mechanism.assemble(&dimensions).is_err(), "{shown}");
+    live.page.assert_quiet();
+}
+
+/// On a phone the sliders of dimensions have a row each.
+#[test]
+fn sliders_have_a_row_on_a_phone() {
+    let Some(mut live) = Live::golden_as("crank_rocker.mech", "phone") else {
+        return;
+    };
+    let page = &mut live.page;
+    page.screen(PHONE);
+    page.value("document.getElementById('live').open = true");
+    page.middle("input[data-slides=crank]");
+    let [_, top, width, _] = page.place("input[data-slides=crank]");
+    assert!(width > 300.0, "{width}");
+    let [_, field, wide, tall] = page.place("input[data-dimension=crank]");
+    assert!(
+        field + tall <= top + 1.0 && wide > 100.0,
+        "{field}, {tall}, {top}, {wide}"
+    );
+    page.shoot("phone-sliders");
+    let wide = page.number("document.documentElement.scrollWidth");
+    assert!(wide <= f64::from(PHONE.width), "{wide} pixels");
+    page.assert_quiet();
 }
 
 /// The copied address opened anew shows the same design, and modes are part of it.
@@ -190,7 +285,110 @@ fn old_browsers_and_networks() {
     let html = pages::html("rssr");
     let broken = html.replacen("\"use strict\";", "\"use strict\"; let let = 1;", 1);
     assert_ne!(html, broken);
-    let file = pages::beside("rssr", "broken.html", &broken);
+    let file = pages::beside("rssr", "live", "broken.html", &broken);
     live.page.load(&file);
     live.page.wait("!document.getElementById('old').hidden");
+}
+
+/// With a speed that is typed the time is the abscissa, and derivatives are those with respect to time.
+#[test]
+fn a_speed_makes_time() {
+    let Some(mut live) = Live::golden_as("crank_rocker.mech", "time") else {
+        return;
+    };
+    let page = &mut live.page;
+    let shown =
+        "document.querySelector('.legend tr[data-column^=\"motion||v.x\"] .value').innerText";
+    let before = page.words(shown);
+    let number = |text: &str, unit: &str| -> f64 {
+        let (number, found) = text.split_once(' ').expect("a unit");
+        assert_eq!(found, unit);
+        number.parse().expect("a number")
+    };
+    assert!(page.holds("document.getElementById('timed').hidden"));
+    page.value("(() => { const own = document.getElementById('abscissa'); own.value = 'time'; own.dispatchEvent(new Event('change')); })()");
+    let turning = |page: &mut linkage_browser::Page, text: &str| {
+        page.value(&format!("(() => {{ const own = document.getElementById('turning'); own.value = '{text}'; own.dispatchEvent(new Event('change')); }})()"));
+    };
+    turning(page, "1500,5");
+    let speed = 1500.5 * std::f64::consts::PI / 30.0;
+    let after = page.words(shown);
+    let ratio = number(&after, "mm/s") / number(&before, "mm/rad");
+    assert!((ratio / speed - 1.0).abs() < 1e-4, "{before}, {after}");
+    let units = page
+        .words("[...document.querySelectorAll('.panel')].map((own) => own.dataset.unit).join(' ')");
+    assert!(
+        units.contains("mm/s mm/s^2") && !units.contains("rad^2"),
+        "{units}"
+    );
+    turning(page, "fast");
+    assert!(
+        page.holds("document.getElementById('turning').getAttribute('aria-invalid') === 'true'")
+    );
+    assert_eq!(page.words(shown), after);
+    // Curves follow other dimensions.
+    page.value("location.hash = 'arm=35'");
+    page.wait(&format!("{shown} !== '{after}'"));
+    page.value("(() => { const own = document.getElementById('abscissa'); own.value = ''; own.dispatchEvent(new Event('change')); })()");
+    number(&page.words(shown), "mm/rad");
+    page.assert_quiet();
+}
+
+/// A design that is kept is dotted in plots and drawing, beside the one that is changed.
+#[test]
+fn a_design_is_kept_for_comparison() {
+    let Some(mut live) = Live::text("kept", DRAWN) else {
+        return;
+    };
+    let page = &mut live.page;
+    let paths = |page: &mut linkage_browser::Page, selector: &str| {
+        page.words(&format!("[...document.querySelectorAll('{selector}')].map((own) => own.getAttribute('d')).join('|')"))
+    };
+    let value =
+        "document.querySelector('.legend tr[data-column^=\"motion||psi\"] .value').innerText";
+    page.value("location.hash = 'crank=45'");
+    page.wait("document.getElementById('changes').textContent !== ''");
+    let before = page.words(value);
+    page.value("document.getElementById('keep').click()");
+    let kept = paths(page, ".curve.kept");
+    assert!(kept.len() > 2000);
+    assert_eq!(
+        kept,
+        paths(page, ".curve:not(.kept)"),
+        "nothing differs yet"
+    );
+    let ghost = paths(page, ".ghost path");
+    page.value("location.hash = 'crank=45&rocker=110'");
+    page.wait("document.getElementById('changes').textContent.includes('rocker')");
+    assert_ne!(paths(page, ".curve.kept"), paths(page, ".curve:not(.kept)"));
+    assert_eq!(
+        paths(page, ".ghost path"),
+        ghost,
+        "the drawing keeps it, too"
+    );
+    let after = page.words(value);
+    assert!(
+        after.ends_with(&format!("dotted {before}")),
+        "{before}, {after}"
+    );
+    assert_eq!(
+        page.words("document.getElementById('kept').textContent"),
+        "Dotted: crank = 45 mm (50)"
+    );
+    let svg = live.file("plots.svg");
+    assert!(
+        svg.contains("(50), rocker = 110 mm (100); Dotted: crank = 45 mm (50)"),
+        "the saved plots name both"
+    );
+    assert!(!live.file("motion.csv").contains("Dotted"));
+    let page = &mut live.page;
+    page.shoot("kept");
+    page.value("document.getElementById('keep').click()");
+    assert!(page.holds("document.querySelector('.kept, #kept') === null"));
+    assert_ne!(
+        paths(page, ".ghost path"),
+        ghost,
+        "that of the report again"
+    );
+    page.assert_quiet();
 }

@@ -1,6 +1,7 @@
 //! Pages that compute: what they show for other dimensions is what the command computes for these, however they are changed.
 
 mod assemblies;
+mod changes;
 mod figures;
 mod gaps;
 mod hands;
@@ -8,4 +9,5 @@ mod many;
 mod pages;
 mod quotients;
 mod strokes;
+mod typed;
 mod values;

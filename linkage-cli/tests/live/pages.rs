@@ -10,8 +10,8 @@ use linkage_engine::{Assembly, Mechanism, Source};
 /// Files that the page saves are kept in the page instead.
 pub(crate) const CATCH: &str = "window.saved = []; URL.createObjectURL = (blob) => { window.saved.push(blob); return 'data:,'; }; 0";
 
-/// Saves the table of a function, and gives its text.
-pub(crate) const SAVED: &str = "document.querySelector('button[data-file=\"NAME.csv\"]').click(); \
+/// Saves a file, and gives its text.
+const SAVED: &str = "document.querySelector('button[data-file=\"NAME\"]').click(); \
      while (window.saved.length === 0) await new Promise((done) => setTimeout(done, 5)); \
      return window.saved.pop().text();";
 
@@ -77,11 +77,27 @@ impl Live {
             .words("document.getElementById('says').textContent")
     }
 
-    /// A table as the page saves it.
+    /// A table as the page saves it, without the line of changes before its head.
     pub(crate) fn csv(&mut self, function: &str) -> String {
-        let saved = SAVED.replace("NAME", function);
-        self.page.words(&format!("(async () => {{ {saved} }})()"))
+        let text = self.file(&format!("{function}.csv"));
+        match text.split_once("\r\n") {
+            Some((line, table)) if line.trim_start_matches('"').starts_with("# changed:") => {
+                table.to_owned()
+            }
+            _ => text,
+        }
     }
+
+    /// A file as the page saves it.
+    pub(crate) fn file(&mut self, name: &str) -> String {
+        saved_file(&mut self.page, name)
+    }
+}
+
+/// A file as a page saves it.
+pub(crate) fn saved_file(page: &mut Page, name: &str) -> String {
+    let saved = SAVED.replace("NAME", name);
+    page.words(&format!("(async () => {{ {saved} }})()"))
 }
 
 /// The first mechanism of a file.
@@ -199,8 +215,8 @@ pub(crate) fn html(name: &str) -> String {
 }
 
 /// Another file beside a page.
-pub(crate) fn beside(name: &str, file: &str, text: &str) -> PathBuf {
-    let path = folder(name, "live").join(file);
+pub(crate) fn beside(name: &str, kind: &str, file: &str, text: &str) -> PathBuf {
+    let path = folder(name, kind).join(file);
     fs::write(&path, text).expect("a file");
     path
 }

@@ -43,7 +43,7 @@ fn strokes_are_those_of_cycles_that_return() {
     let html = pages::html("pilgrim");
     let own = html.replacen("\"summary\":[]", &format!("\"summary\":[{rows}]"), 1);
     assert_ne!(html, own);
-    let file = pages::beside("pilgrim", "figures.html", &own);
+    let file = pages::beside("pilgrim", "live", "figures.html", &own);
     live.page.load(&file);
     live.page.wait("document.body.dataset.ready === 'true'");
     for (name, x) in [("rod", 130), ("crank", 41), ("rod", 97)] {

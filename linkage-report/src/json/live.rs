@@ -4,7 +4,8 @@ use serde_json::{Map, Value, json};
 
 use crate::builder::Report;
 
-/// Arguments beside the input, modes, and where the picture stands among the tables.
+/// Arguments beside the input, modes, the picture's number among the tables, the text of the
+/// mechanism.
 pub(super) fn live_value(report: &Report) -> Value {
     let given = report.given.iter();
     let given: Map<_, _> = given
@@ -16,5 +17,13 @@ pub(super) fn live_value(report: &Report) -> Value {
         let first = saved.heading.picture?.first;
         Some(json!({ "table": table, "first": first }))
     });
-    json!({ "given": given, "modes": modes.collect::<std::vec::Vec<f64>>(), "picture": picture })
+    let mut value = json!({
+        "given": given,
+        "modes": modes.collect::<std::vec::Vec<f64>>(),
+        "picture": picture,
+    });
+    if let Some(source) = &report.source {
+        value["source"] = json!(source);
+    }
+    value
 }

@@ -21,8 +21,7 @@ function placeAxes(panel) {
 
 function acrossTicks({ first, last, wide, tall, x }) {
   const bottom = PANEL.top + tall;
-  const unit = plotUnit((abscissa.column ?? input).unit);
-  return ticks(first, last, wide / 56, unit).flatMap((tick) => {
+  return ticks(first, last, wide / 56, abscissaUnit()).flatMap((tick) => {
     const place = pixel(x(tick));
     return [shape("path", { class: "grid", d: `M${place} ${PANEL.top}V${bottom}` }),
       shape("text", { x: place, y: bottom + 15, "text-anchor": "middle" }, digits(tick))];

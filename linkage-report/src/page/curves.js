@@ -7,15 +7,19 @@ const DASHES = [null, "7 4", "2 3", "9 3 2 3"];
 const WIDENINGS = [1, 10, 100, 1000, 10000];
 const widening = { factor: 1 };
 
+// Numbers of a design to compare with, by the keys of columns, and what it is; null without one.
+const kept = { columns: null, words: "" };
+
 // Panels by unit in the order of the columns, or one for each column.
 function chosenPanels(apart) {
   const panels = new Map();
-  for (const column of columns.filter((column) => chosen.has(column.key) && !isOfHiddenPart(column))) {
+  for (const own of columns.filter((column) => chosen.has(column.key) && !isOfHiddenPart(column))) {
+    const column = timedColumn(own);
     const unit = plotUnit(column.unit);
     const name = apart ? column.key : unit;
     if (!panels.has(name)) panels.set(name, { name, unit, curves: [] });
     const { curves } = panels.get(name);
-    curves.push(curveOf(column));
+    curves.push({ ...curveOf(column), kept: kept.columns === null ? null : keptCurve(own) });
   }
   return [...panels.values()];
 }
@@ -27,6 +31,12 @@ function curveOf(column) {
     dash: DASHES[column.dash],
     ys: plotted(column),
   };
+}
+
+// The same column of the design that is kept.
+function keptCurve(column) {
+  const before = timedColumn({ ...column, values: kept.columns.get(column.key) });
+  return { column: { ...before, bands: [] }, ys: plotted(before) };
 }
 
 function plotted({ values: numbers, unit }) {
@@ -58,12 +68,16 @@ const FAR_BEYOND = 3;
 
 function setLimits(panel) {
   const seen = seenRows();
-  const all = spread(panel.curves, seen);
+  const all = spread([...panel.curves, ...keptCurves(panel)], seen);
   const beside = rowsBesideGaps();
   const rest = beside === null ? all : spread(panel.curves, (row) => seen(row) && !beside[row]);
   const cut = isMoreThanRoundoff(rest) && all[1] - all[0] > FAR_BEYOND * (rest[1] - rest[0]);
   panel.cut = cut ? all : null;
   panel.limits = zoom.y.get(panel.name) ?? withMargin(cut ? rest : all, extremes.shown ? ROOM : AIR);
+}
+
+function keptCurves({ curves }) {
+  return curves.flatMap((curve) => (curve.kept === null ? [] : [curve.kept]));
 }
 
 // Rows so near to a gap that a dead point rules there; null without gaps.

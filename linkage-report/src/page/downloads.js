@@ -15,7 +15,8 @@ function csvOf(members) {
   const head = [input, ...members].map(({ name, unit }) => quoted(titled(name, unit)));
   const lines = input.values.map((value, row) =>
     [value, ...members.map((column) => column.values[row])].map(fieldOf).join(","));
-  return [head.join(","), ...lines, ""].join("\r\n");
+  const note = saved.note();
+  return [...(note ? [quoted(`# ${note}`)] : []), head.join(","), ...lines, ""].join("\r\n");
 }
 
 function download(name, blob) {
@@ -26,8 +27,8 @@ function download(name, blob) {
   setTimeout(() => URL.revokeObjectURL(address), 10000);
 }
 
-// The original report, and names of files. A page that computes has others for changed data.
-const saved = { json: () => source, name: (name) => name };
+// The original report, names of files, and a line that all files have. A page that computes has others for changed data.
+const saved = { json: () => source, name: (name) => name, note: () => "" };
 
 function downloadButton(name, make) {
   const button = element("button", { type: "button", "data-file": name }, name);
@@ -38,11 +39,12 @@ function downloadButton(name, make) {
 function startDownloads() {
   const csv = report.tables.map((table) =>
     downloadButton(`${table.function}.csv`, () => new Blob([csvOf(columns.filter((column) => column.table === table.function))], { type: "text/csv" })));
+  const copy = downloadButton("page.html", () => new Blob([pageCopy()], { type: "text/html" }));
   const json = downloadButton("data.json", () => new Blob([saved.json()], { type: "application/json" }));
   addSheet("Data", true,
     ...(report.thinned ? [element("p", {}, thinnedText())] : []),
     element("p", {}, "All values of the page with all their digits. Angles are in radians; a value that does not exist is empty in CSV and null in JSON."),
-    element("p", { class: "buttons" }, json, ...csv),
+    element("p", { class: "buttons" }, json, ...csv, copy),
     element("p", {}, "The mechanism and the plots as they are seen now."),
     element("p", { class: "buttons" }, ...pictureButtons()));
 }

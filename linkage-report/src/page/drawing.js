@@ -9,6 +9,8 @@ const drawing = {
   // Nodes by the points' indices.
   points: new Map(),
   layers: {},
+  // Functions that draw it at a row.
+  placers: [],
   // Nodes over the drawing: buttons, and the scale with the directions of the axes.
   tools: [],
   marks: [],
@@ -22,17 +24,19 @@ function startDrawing() {
   makeParts();
   startGestures();
   startViews();
+  startVectors();
   startMachine();
   camera.listeners.push(redraw);
   new ResizeObserver(measureDrawing).observe(byId("figure"));
   measureDrawing();
   for (const index of picture.traces) toggleTrace(index);
+  drawing.placers.push(placeParts);
   onMove(placeParts);
 }
 
 function makeLayers() {
   // Paths are above the links, which may cover all of a short one.
-  for (const name of ["wheels", "bodies", "traces", "points", "signs", "marks"]) {
+  for (const name of ["wheels", "bodies", "traces", "points", "signs", "vectors", "marks"]) {
     drawing.layers[name] = shape("g", { class: name });
     byId("drawing").append(drawing.layers[name]);
   }
@@ -92,6 +96,7 @@ function placeParts(row) {
   placeNames(tops, [...[...seen, ...tops, ...signs].flatMap((part) => part.covers), ...[...traces.covers.values()].flat(), ...drawing.tools, ...drawing.marks]);
   const isThere = (part) => !part.away;
   const whole = seen.length === drawing.bodies.filter(isThere).length && tops.length === drawing.tops.filter(isThere).length;
+  drawVectors(row);
   byId("impossible").hidden = whole;
   byId("impossible").textContent = whole ? "" : `Cannot be assembled at ${inputShort(input.values[row])}`;
 }

@@ -44,8 +44,8 @@ function setStyles(node, style) {
   }
 }
 
-// A copy that looks the same anywhere, or null for a node that is not seen.
-function standing(node) {
+// A copy that looks the same anywhere, or null for a node that is not seen. `pairs` takes the shapes with their copies.
+function standing(node, pairs = []) {
   if (node.nodeType === Node.TEXT_NODE) return document.createTextNode(node.data);
   const style = getComputedStyle(node);
   if (style.display === "none" && !node.closest("clipPath, title")) return null;
@@ -57,25 +57,44 @@ function standing(node) {
     const seen = style.visibility === "visible" && COLOURS.some((name) => copy.getAttribute(name) !== "none");
     if (!seen) return null;
   }
-  copy.append(...[...node.childNodes].map(standing).filter((child) => child !== null));
+  pairs.push([node, copy]);
+  copy.append(...[...node.childNodes].map((child) => standing(child, pairs)).filter((child) => child !== null));
   return copy;
 }
 
-// A picture with its ground.
+// A line of letters below a picture: its height, and the width of a letter.
+const NOTE = { line: 18, letter: 7 };
+
+// A picture with its ground. What the page says of changes is below it.
 function picturePage(width, height, ground, ...children) {
-  const size = { width, height, viewBox: `0 0 ${width} ${height}` };
-  const { fontFamily } = getComputedStyle(document.body);
-  const paper = shape("rect", { width, height, fill: hexadecimal(componentsOf(ground).slice(0, 3)) });
-  return shape("svg", { ...size, "font-family": fontFamily }, shape("title", {}, report.title), paper, ...children);
+  const lines = noteLines(Math.floor((width - 24) / NOTE.letter));
+  const tall = height + NOTE.line * lines.length + (lines.length > 0 ? 8 : 0);
+  const size = { width, height: tall, viewBox: `0 0 ${width} ${tall}` };
+  const { fontFamily, color } = getComputedStyle(document.body);
+  const [paper, ink] = [ground, color].map((own) => hexadecimal(componentsOf(own).slice(0, 3)));
+  const notes = lines.map((line, k) => shape("text", { x: 12, y: height + NOTE.line * (k + 1) - 4, fill: ink, "font-size": 13 }, line));
+  return shape("svg", { ...size, "font-family": fontFamily }, shape("title", {}, report.title), shape("rect", { width, height: tall, fill: paper }), ...children, ...notes);
+}
+
+// The note, broken between words.
+function noteLines(most) {
+  const lines = [];
+  // A picture may have two designs.
+  const text = [saved.note(), kept.words].filter((own) => own !== "").join("; ");
+  for (const word of text.split(" ").filter((own) => own !== "")) {
+    if (lines.length > 0 && lines.at(-1).length + word.length < most) lines.push(`${lines.pop()} ${word}`);
+    else lines.push(word);
+  }
+  return lines;
 }
 
 function textOf(view) {
   return new XMLSerializer().serializeToString(view);
 }
 
-function drawingPage() {
+function drawingPage(pairs = []) {
   const figure = getComputedStyle(byId("figure"));
-  const layers = [...byId("drawing").childNodes].map(standing).filter((layer) => layer !== null);
+  const layers = [...byId("drawing").childNodes].map((layer) => standing(layer, pairs)).filter((layer) => layer !== null);
   return picturePage(Math.round(camera.width), Math.round(camera.height), figure.backgroundColor, ...layers);
 }
 
@@ -119,8 +138,9 @@ async function pixelsOf(view) {
 
 function pictureButtons() {
   const pages = [...(picture ? [["mechanism", drawingPage]] : []), ...(cycle.view ? [["cyclogram", cyclogramPage]] : []), ["plots", plotsPage]];
-  return pages.flatMap(([name, make]) => [
-    downloadButton(`${name}.svg`, () => new Blob([textOf(make())], { type: "image/svg+xml" })),
-    downloadButton(`${name}.png`, () => pixelsOf(make())),
-  ]);
+  const vector = (name, make) => downloadButton(`${name}.svg`, () => new Blob([textOf(make())], { type: "image/svg+xml" }));
+  // In space the order of what is drawn changes with the position.
+  const films = picture && !isSpatial() && rowCount > 1 ? [vector("moving", filmPage)] : [];
+  return [...pages.flatMap(([name, make]) => [vector(name, make), downloadButton(`${name}.png`, () => pixelsOf(make()))]), ...films,
+    ...(picture ? [downloadButton("mechanism.dxf", () => new Blob([dxfNow()], { type: "image/vnd.dxf" }))] : [])];
 }

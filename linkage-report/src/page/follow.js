@@ -4,6 +4,8 @@
 const ASK_EVERY = 500;
 
 function follow(own) {
+  // Another page stands at the place of a copy, or none.
+  if (isSavedCopy) return;
   window.linkageVersion = (newest) => {
     if (newest !== own) location.reload();
   };

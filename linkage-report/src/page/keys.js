@@ -5,7 +5,7 @@ const STEPS = { ArrowLeft: -1, ArrowDown: -1, ArrowRight: 1, ArrowUp: 1 };
 // Returns true if the key has another meaning where it was pressed.
 function keyBelongsToField(event) {
   const target = event.target;
-  if (target.tagName === "SELECT" || (target.matches("[type=search], [type=number], [type=range]") && target.id !== "position")) return true;
+  if (target.tagName === "SELECT" || (target.matches("[type=search], [type=text], [type=range]") && target.id !== "position")) return true;
   return event.key === " " && target.matches("button, summary, a, [type=checkbox], [role=button]");
 }
 

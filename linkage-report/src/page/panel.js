@@ -58,19 +58,28 @@ function fillPanel(panel, width) {
   set(panel.clip, { x: scales.left - 1, y: PANEL.top - 1, width: scales.wide + 2, height: scales.tall + 2 });
   shadeGaps(panel);
   placeAxes(panel);
-  const across = scales.xs.map((x) => (x === null ? null : pixelText(scales.x(x))));
+  const places = scales.xs.map((x) => (x === null ? null : scales.x(x)));
+  const across = places.map((x) => (x === null ? null : pixelText(x)));
   for (const curve of panel.curves) {
     set(curve.line, { d: curveOutline(curve, across, scales) });
+    if (curve.kept !== null) set(curve.keptLine, { d: curveOutline(curve.kept, keptAcross(across, scales), scales) });
     for (const [band, area] of curve.areas) set(area, { d: bandOutline(curve, band, across, scales) });
   }
-  markExtremes(panel);
+  markExtremes(panel, places);
+}
+
+// The places of the rows of the design that is kept, which has other values of a quantity.
+function keptAcross(across, scales) {
+  if (isAgainstInput()) return across;
+  const { unit, key } = abscissa.column;
+  return kept.columns.get(key).map((value) => (value === null ? null : pixelText(scales.x(plotValue(value, unit)))));
 }
 
 function shadeGaps({ gaps: group, scales }) {
   const gaps = isAgainstInput() ? report.gaps ?? [] : [];
   if (gaps.length === 0 && !group.hasChildNodes()) return;
   const parts = gaps.flatMap(({ from, to }) => {
-    const ends = [from, to].map((value) => scales.x(plotValue(value, input.unit)));
+    const ends = [from, to].map((value) => scales.x(inputPlace(value)));
     const [x, width] = [Math.min(...ends), Math.max(2, Math.abs(ends[1] - ends[0]))];
     return [
       shape("rect", { class: "gap", x: pixel(x), y: PANEL.top, width: pixel(width), height: scales.tall }),
@@ -97,8 +106,10 @@ function bandAreas(panel) {
 function curveLines(panel) {
   for (const curve of panel.curves) {
     curve.line = shape("path", { class: "curve", "data-column": curve.column.key, stroke: curve.colour, "stroke-dasharray": curve.dash });
+    curve.keptLine = shape("path", { class: "curve kept", "data-kept": curve.column.key, stroke: curve.colour, "stroke-dasharray": "1 4" });
   }
-  return shape("g", { class: "curves" }, ...panel.curves.map(({ line }) => line));
+  const before = panel.curves.filter((curve) => curve.kept !== null).map(({ keptLine }) => keptLine);
+  return shape("g", { class: "curves" }, ...before, ...panel.curves.map(({ line }) => line));
 }
 
 // A line at a row, with a dot on each curve.

@@ -4,7 +4,7 @@ const plots = { panels: [], width: 0, apart: false };
 
 function startPlots() {
   startChooser(makePanels);
-  byId("chooser").append(apartChoice(), abscissaChoice(), extremesChoice(), zoomButtons());
+  byId("chooser").append(apartChoice(), ...abscissaChoice(), extremesChoice(), zoomButtons());
   if (columns.some((column) => column.bands.length > 0)) byId("chooser").append(wideningChoice());
   byId("chooser").append(zoomHint());
   new ResizeObserver(measurePanels).observe(byId("panels"));
@@ -51,6 +51,7 @@ function makePanels() {
   plots.panels = chosenPanels(plots.apart);
   measureLabels(plots.panels);
   byId("panels").replaceChildren(...plots.panels.map(makePanel));
+  if (kept.words !== "") byId("panels").prepend(element("p", { id: "kept", class: "cut" }, kept.words));
   if (plots.panels.length === 0) byId("panels").append(element("p", { class: "empty" }, machine.hidden.size > 0 ? "Choose quantities above, or show their parts." : "Choose quantities above."));
   showCursors(position.row);
 }
@@ -68,6 +69,7 @@ function legend(panel) {
     const line = shape("path", { d: "M1 6H25", stroke: curve.colour, "stroke-dasharray": curve.dash });
     curve.value = element("span");
     curve.halves = curve.column.bands.map(() => element("small"));
+    curve.before = element("small");
     curve.cell = element("td", { class: "value" }, curve.value);
     body.append(element("tr", { "data-column": curve.column.key },
       element("td", {}, shape("svg", { class: "swatch", width: 26, height: 12 }, line)),
@@ -150,10 +152,11 @@ function showCursors(row) {
 
 function showValues(panel, row, what) {
   write(panel.where, `${what}: ${inputText(input.values[row])}`);
-  for (const { column, cell, value, halves } of panel.curves) {
+  for (const { column, cell, value, halves, kept: other, before } of panel.curves) {
     write(value, withUnit(column.values[row], column.unit));
     const known = column.bands.map((band, k) => ({ band, node: halves[k] })).filter(({ band }) => band.half[row] !== null);
     for (const { band, node } of known) write(node, `${band.kind} \u00b1 ${withUnit(band.half[row], column.unit)}`);
-    hold(cell, [value, ...known.map(({ node }) => node)]);
+    if (other !== null) write(before, `dotted ${withUnit(other.column.values[row], column.unit)}`);
+    hold(cell, [value, ...(other === null ? [] : [before]), ...known.map(({ node }) => node)]);
   }
 }

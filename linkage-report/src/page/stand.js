@@ -122,6 +122,7 @@ function standOn(body) {
   byId("seen").value = isStanding() ? stand.bodies.indexOf(body) : "";
   for (const [index, node] of drawing.points) node.classList.toggle("moving", isMoving(index));
   camera.box = extent();
+  forgetVectors();
   findAway();
   fitAll();
 }

@@ -33,6 +33,7 @@ function start() {
   startTables();
   startKeys();
   startPrint();
+  startStage();
   startCopying();
   if (report.live) startLive();
   announcePosition();

@@ -13,9 +13,10 @@ function grid(id, heads, rows) {
     element("table", { "data-table": id }, ...head, element("tbody", {}, ...body)));
 }
 
-// An angle gets its degrees in a cell beside the radians.
-function inDegrees(value, unit) {
-  return unit === "rad" && value !== null ? `${short(toDegrees(value))} deg` : "";
+// An angle, which is shown in degrees, gets its radians beside them.
+function inRadians(value, unit, sign = "") {
+  if (unit !== "rad" || value === null) return [];
+  return [element("small", {}, showNumber(element("span"), value, sign), " rad")];
 }
 
 // A button that moves the mechanism to where something is.
@@ -40,7 +41,7 @@ function startTables() {
   startMoments();
   const facts = [...speedFacts(), ...(report.facts ?? []).map(({ name, text }) => [name, text])];
   if (facts.length > 0) addSheet("Facts", true, grid("facts", [], facts));
-  if (report.dimensions?.length) addSheet("Dimensions and tolerances", true, dimensionTable());
+  if (report.dimensions?.length) addSheet("Dimensions and tolerances", true, dimensionTable()).id = "dimensions";
   if (report.accuracy?.length) addSheet("Accuracy", true, ...accuracyTables()).id = "accuracy";
   if (report.structure) addSheet("Structure", true, ...structureTables(report.structure));
   startValues();
@@ -61,25 +62,24 @@ function speedFacts() {
 // A row that `stands` is that of the report, and not of changed dimensions.
 function summaryTable(figures) {
   const rows = figures.map(({ quantity, what, value, unit, at, stands }) =>
-    [quantity, stands ? `${what} (as in the report)` : what, placeButton(at), withDegrees(value, unit), unit]);
+    [quantity, stands ? `${what} (as in the report)` : what, placeButton(at), withDegrees(value, unit), plotUnit(unit)]);
   // Places before values: on a phone they must not be out of sight.
   return grid("summary", ["quantity", "what", `at ${input.name}`, "value", "unit"], rows);
 }
 
-function dimensionTable() {
-  const changed = report.dimensions.some(({ value, nominal }) => value !== nominal);
-  const rows = report.dimensions.map(({ name, unit, nominal, tolerance, value }) => {
-    const actual = changed ? [value === nominal ? "" : withDegrees(value, unit)] : [];
-    return [name, withDegrees(nominal, unit), tolerance === 0 ? "" : withDegrees(tolerance, unit, "\u00b1 "), ...actual, unit];
+function dimensionTable(actualOf = ({ value }) => value) {
+  const changed = report.dimensions.some((own) => actualOf(own) !== own.nominal);
+  const rows = report.dimensions.map((own) => {
+    const { name, unit, nominal, tolerance } = own;
+    const actual = changed ? [actualOf(own) === nominal ? "" : withDegrees(actualOf(own), unit)] : [];
+    return [name, withDegrees(nominal, unit), tolerance === 0 ? "" : withDegrees(tolerance, unit, "\u00b1 "), ...actual, plotUnit(unit)];
   });
   return grid("dimensions", ["dimension", "nominal", "tolerance", ...(changed ? ["actual"] : []), "unit"], rows);
 }
 
-// A number, the degrees of an angle on a line below.
+// A number, the radians of an angle on a line below.
 function withDegrees(value, unit, sign = "") {
-  const degrees = inDegrees(value, unit);
-  const below = degrees ? [element("small", {}, sign + degrees)] : [];
-  return element("span", { class: "amount" }, showNumber(element("span"), value, sign), ...below);
+  return element("span", { class: "amount" }, showNumber(element("span"), plotValue(value, unit), sign), ...inRadians(value, unit, sign));
 }
 
 function accuracyTables() {
@@ -89,7 +89,7 @@ function accuracyTables() {
 
 function accuracyGrid() {
   const rows = report.accuracy.map(({ quantity, worst, statistical, unit, at }) =>
-    [quantity, worst, statistical, unit, placeButton(at)]);
+    [quantity, plotValue(worst, unit), plotValue(statistical, unit), plotUnit(unit), placeButton(at)]);
   return grid("accuracy", ["quantity", "worst case \u00b1", "statistical \u00b1", "unit", `at ${input.name}`], rows);
 }
 
@@ -114,7 +114,7 @@ function contributionsGrid(index) {
   const rows = sorted.map(({ parameter, amount }) => {
     const share = worst ? (100 * Math.abs(amount)) / worst : 0;
     const bar = element("span", { class: "bar", style: `width: ${share.toFixed(1)}%` });
-    return [parameter, amount, unit, element("span", { class: "bars", title: `${share.toFixed(1)} %` }, bar)];
+    return [parameter, plotValue(amount, unit), plotUnit(unit), element("span", { class: "bars", title: `${share.toFixed(1)} %` }, bar)];
   });
   return grid(`contributions ${quantity}`, ["dimension", "amount", "unit", "share of the worst case"], rows);
 }

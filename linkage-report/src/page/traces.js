@@ -18,6 +18,8 @@ function toggleTrace(index) {
   } else {
     traces.paths.set(index, addTrace(index));
   }
+  forgetVectors();
+  drawVectors(position.row);
   const node = drawing.points.get(index);
   node.setAttribute("aria-pressed", traces.paths.has(index));
   node.style.setProperty("--colour", traceColour(index));

@@ -5,10 +5,10 @@ const values = { cells: [], sheet: null };
 function startValues() {
   const rows = columns.map((column) => {
     const cell = element("td", { class: "number", "data-value": column.key });
-    const degrees = element("td", { class: "number" });
-    values.cells.push({ column, cell, degrees });
+    const radians = element("td", { class: "number" });
+    values.cells.push({ column, cell, radians });
     return element("tr", {}, element("td", {}, column.table), element("td", {}, column.name), cell,
-      element("td", {}, column.unit), degrees);
+      element("td", {}, plotUnit(column.unit)), radians);
   });
   values.where = element("p", { class: "where" });
   const table = grid("values", ["function", "quantity", "value", "unit", ""], []);
@@ -24,8 +24,9 @@ function startValues() {
 function showAllValues(row) {
   if (!values.sheet.open) return;
   values.where.textContent = inputText(input.values[row]);
-  for (const { column, cell, degrees } of values.cells) {
-    showNumber(cell, column.values[row]);
-    degrees.textContent = inDegrees(column.values[row], column.unit);
+  for (const { column, cell, radians } of values.cells) {
+    const value = column.values[row];
+    showNumber(cell, plotValue(value, column.unit));
+    radians.replaceChildren(...inRadians(value, column.unit));
   }
 }

@@ -277,7 +277,8 @@ fn the_page_has_the_data_and_needs_no_network() {
     for address in [
         "http://",
         "https://",
-        "src=",
+        // An attribute, and no assignment of a script.
+        " src=",
         "@import",
         "<!-- style",
         "<!-- script",

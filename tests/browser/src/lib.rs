@@ -8,6 +8,7 @@ mod gallery;
 mod held;
 mod input;
 mod page;
+mod pdf;
 pub mod samples;
 mod sight;
 
@@ -15,4 +16,5 @@ pub use chromium::{find, required};
 pub use gallery::{Entry, entries, folder, some};
 pub use input::{Button, Key};
 pub use page::Page;
+pub use pdf::printed_words;
 pub use sight::{DESKTOP, PHONE, SMALL_PHONE, Screen};

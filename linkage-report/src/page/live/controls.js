@@ -8,11 +8,14 @@ const controls = { rows: new Map() };
 function startLive() {
   startModel();
   startGhost();
+  startChanges();
+  startText();
   makeControls();
   onChange(showChange);
   onChange(showControls);
-  if (location.hash === "") showControls();
-  else say(readLink(location.hash));
+  const changes = location.hash || `#${document.documentElement.dataset.changes ?? ""}`;
+  if (changes === "#") showControls();
+  else say(readLink(changes));
   past.last = snapshot();
   document.addEventListener("keydown", onLiveKey);
   addEventListener("hashchange", ({ newURL }) => {
@@ -25,12 +28,12 @@ function startLive() {
   // A page that goes has its last change in its address.
   addEventListener("pagehide", () => link.waiting !== null && writeLinkNow());
   startPulling();
-  if (picture) byId("hint").append(" Pull pivots and bars to change dimensions.");
+  if (picture) byId("hint").append(" Pull pivots and bars to change dimensions, with shift to all digits.");
 }
 
 function makeControls() {
   const rows = [];
-  for (const { name, unit, value } of report.dimensions) rows.push(controlRow(name, unit, dimensionRange(unit, value), (to) => change(new Map([[name, to]]))));
+  for (const { name, unit, value } of report.dimensions) rows.push(controlRow(name, unit, dimensionRange(unit, value), (to, stop) => change(new Map([[name, to]]), stop)));
   for (const [name, value] of live.given) {
     const own = argumentOf(name);
     rows.push(controlRow(name, own.unit, own.range ?? dimensionRange(own.unit, value), (to) => give(name, to)));
@@ -45,6 +48,7 @@ function makeControls() {
     button("reset", "Reset", "All as in the report", resetAll),
     button("undo", "Undo", "Undo (ctrl z)", undo),
     button("redo", "Redo", "Redo (ctrl y)", redo),
+    keepButton(),
     ...(live.firstModes.length > 0 || engine.programs[0].coupled.length > 0 ? [assemblyChoice()] : []),
     element("span", { class: "choices" }, "Copy ", copy("copy-rust", "Rust", asRust), copy("copy-text", "text", asText), copy("copy-link", "link", addressNow)));
   const says = element("p", { id: "says", role: "status" });
@@ -71,25 +75,25 @@ function argumentOf(name) {
   return { unit: "" };
 }
 
-// Angles are shown in degrees.
+// Angles are shown in degrees. `put` takes a value, and gives the error if the mechanism cannot be assembled with it.
 function controlRow(name, unit, [low, high], put) {
   const shown = (number) => rounded(plotValue(number, unit), 12);
   const slider = element("input", { type: "range", min: shown(low), max: shown(high), step: "any", "data-slides": name, "aria-label": name });
-  const field = element("input", { type: "number", step: "any", "data-dimension": name, "aria-label": `${name}${unit ? ` in ${plotUnit(unit)}` : ""}` });
-  const take = (text) => {
-    if (text !== "" && isFinite(text)) tell(put(fromPlot(+text, unit)));
-  };
-  slider.addEventListener("input", () => whenDrawn(() => take(slider.value)));
+  const field = element("input", { type: "text", autocomplete: "off", spellcheck: "false", "data-dimension": name, "aria-label": `${name}${unit ? ` in ${plotUnit(unit)}` : ""}` });
+  const row = { name, unit, slider, field, shown, put, refused: null };
+  slider.addEventListener("pointermove", ({ shiftKey }) => (row.exact = shiftKey));
+  slider.addEventListener("input", () => whenDrawn(() => slide(row)));
   slider.addEventListener("change", () => { drawNow(); keepStep(); });
-  const taken = () => {
-    take(field.value);
-    keepStep();
-    showControls();
-  };
-  field.addEventListener("change", taken);
-  field.addEventListener("keydown", (event) => event.key === "Enter" && taken());
-  controls.rows.set(name, { slider, field, shown });
+  field.addEventListener("change", () => takeTyped(row));
+  field.addEventListener("keydown", (event) => onFieldKey(event, row));
+  controls.rows.set(name, row);
   return element("label", { class: "dimension" }, element("span", { class: "name" }, name), slider, field, element("small", {}, plotUnit(unit)));
+}
+
+// A slider tells as many digits as its pixels do.
+function slide({ name, unit, slider, put, exact }) {
+  const step = exact ? null : stepOfPixel((slider.max - slider.min) / slider.clientWidth);
+  tell(put(fromPlot(toStep(Number(slider.value), step), unit), stopAtStep([name], step)));
 }
 
 // At most one change for each picture that the screen shows.
@@ -113,17 +117,15 @@ function showControls() {
   const assembly = byId("assembly");
   if (assembly !== null) showAssembly(assembly);
   for (const [name, row] of controls.rows) {
-    const { slider, field } = row;
+    const { slider } = row;
     // Rounding takes longer than all the rest.
-    if (row.exact !== valueNow(name)) Object.assign(row, { exact: valueNow(name), value: row.shown(valueNow(name)) });
+    if (row.now !== valueNow(name)) Object.assign(row, { now: valueNow(name), value: row.shown(valueNow(name)) });
     const { value } = row;
-    // Typed text stays as it is written.
-    const stays = document.activeElement === field ? field.value !== "" && Number(field.value) === value : field.value === String(value);
-    if (!stays) field.value = value;
+    showField(row);
     if (value < Number(slider.min)) slider.min = value;
     if (value > Number(slider.max)) slider.max = value;
     if (slider.value !== String(value)) slider.value = value;
-    field.closest("label").classList.toggle("changed", valueNow(name) !== valueInReport(name));
+    row.field.closest("label").classList.toggle("changed", valueNow(name) !== valueInReport(name));
   }
   showHistory();
 }
@@ -138,7 +140,7 @@ function tell(error) {
 
 function say(text) {
   const still = live.tables.filter(({ why }) => why !== null).map(({ table, why }) => `${table.function} is not computed here: ${why}.`);
-  const all = [text, ...(isChanged() ? still : [])].filter((own) => own !== null);
+  const all = [text, ...refusals(), ...negativeLengths(), ...(isChanged() ? still : [])].filter((own) => own !== null);
   byId("says").textContent = all.join(" ");
 }
 
@@ -157,6 +159,8 @@ function onLiveKey(event) {
   if (!(event.ctrlKey || event.metaKey) || event.altKey) return;
   const key = event.key.toLowerCase();
   if (key !== "z" && key !== "y") return;
+  // What is being typed has its own steps.
+  if ([...controls.rows.values()].some(({ field, written }) => field === event.target && field.value !== written)) return;
   if (key === "y" || event.shiftKey) redo();
   else undo();
   event.preventDefault();

@@ -29,6 +29,7 @@ function goBack(from, to) {
   if (from.length === 0) return;
   to.push(past.last);
   past.last = from.pop();
+  forgetRefusals();
   live.given = new Map(past.last.given);
   Object.assign(live, { modes: past.last.modes, choice: past.last.choice, assemblies: past.last.assemblies });
   tell(change(past.last.dimensions));
@@ -54,5 +55,5 @@ function resetAll() {
 function showHistory() {
   byId("undo").disabled = past.steps.length === 0;
   byId("redo").disabled = past.next.length === 0;
-  byId("reset").disabled = !isChanged();
+  byId("reset").disabled = !isChanged() && refusals().length === 0;
 }

@@ -119,8 +119,8 @@ function dimensionsBetween(to, share) {
 const BISECTIONS = 24;
 
 // Changes dimensions as far as the mechanism can be assembled at its reference: there it stops, and the error that is returned says by how much the
-// wanted ones miss. Null if all is well.
-function change(changes) {
+// wanted ones miss. Null if all is well. `stop` takes the dimensions at which it stops.
+function change(changes, stop = goAsFarAsPossible) {
   const to = new Map([...live.dimensions, ...changes]);
   const begin = performance.now();
   let error = null;
@@ -129,7 +129,7 @@ function change(changes) {
   } catch (thrown) {
     if (!(thrown instanceof engine.AssemblyError)) throw thrown;
     error = thrown;
-    goAsFarAsPossible(to);
+    stop(to);
   }
   fillTables();
   const computed = performance.now();
@@ -149,10 +149,17 @@ function backToReport() {
   live.given = new Map(live.stands);
   live.modes = live.firstModes;
   live.choice = 0;
+  forgetRefusals();
   take(live.declared, live.firstAssemblies);
 }
 
 function goAsFarAsPossible(to) {
+  const farthest = farthestTo(to);
+  if (farthest !== null) take(...farthest);
+}
+
+// The last dimensions on the way to others with which the mechanism can be assembled, with the assemblies; null where there are none.
+function farthestTo(to) {
   let [low, high, best] = [0, 1, null];
   for (let k = 0; k < BISECTIONS; k += 1) {
     const share = (low + high) / 2;
@@ -165,7 +172,7 @@ function goAsFarAsPossible(to) {
       high = share;
     }
   }
-  if (best !== null) take(...best);
+  return best;
 }
 
 // Another value of an argument beside the input.

@@ -116,7 +116,11 @@ function pullMoved(event) {
   event.stopPropagation();
   const { change: make, pressed } = pulling;
   const now = placeUnder(onDrawing(event));
-  whenDrawn(() => tell(change(make(minus(now, pressed), pressed))));
+  const step = event.shiftKey ? null : stepOfPixel(1 / cameraScale());
+  whenDrawn(() => {
+    const pulled = [...make(minus(now, pressed), pressed)].map(([name, value]) => [name, toStep(value, step)]);
+    tell(change(new Map(pulled), stopAtStep(pulled.map(([name]) => name), step)));
+  });
 }
 
 function pullEnded(event) {

@@ -14,6 +14,7 @@ function showChange() {
 function remakeDrawing() {
   reaches.clear();
   stand.frames = [];
+  forgetVectors();
   drawTraces();
 }
 

@@ -146,3 +146,52 @@ fn space_is_saved_too() {
     assert_stands_alone(&found, "Crank and rocker in space");
     page.assert_quiet();
 }
+
+/// The picture that moves has at each of its times what the page shows at that row.
+#[test]
+fn the_mechanism_is_saved_moving() {
+    let Some(mut page) = page("export-moving") else {
+        return;
+    };
+    page.click("[data-vectors=velocity]");
+    crate::checks::go_to(&mut page, 123);
+    let before = page.words("document.querySelector('[data-link] path').getAttribute('d')");
+    let found = read(&mut page, "moving.svg");
+    assert_stands_alone(&found, "A & <B>");
+    assert_eq!(
+        page.words("document.querySelector('[data-link] path').getAttribute('d')"),
+        before,
+        "the page stays where it is"
+    );
+    let seconds = page.words("[...new Set([...window.saved.querySelectorAll('animate')].map((own) => own.getAttribute('dur')))].join(' ')");
+    assert_eq!(seconds, "8s");
+    let moving = page.number("window.saved.querySelectorAll('animate').length");
+    assert!(moving > 10.0, "{moving} courses");
+    // Every sixth degree, and the beginning again.
+    let saved = page.value(
+        "[...window.saved.querySelectorAll('[data-link] path, [data-arrow] path')].map((own) => own.querySelector('animate')?.getAttribute('values').split(';') ?? own.getAttribute('d'))",
+    );
+    for key in [0_usize, 10, 41, 59, 60] {
+        crate::checks::go_to(&mut page, (6 * key) % 360);
+        let shown = page.value("[...document.querySelectorAll('#drawing [data-link] path, #drawing [data-arrow] path')].map((own) => own.getAttribute('d'))");
+        let pairs = shown
+            .as_array()
+            .expect("paths")
+            .iter()
+            .zip(saved.as_array().expect("courses"));
+        assert_eq!(
+            shown.as_array().map(Vec::len),
+            saved.as_array().map(Vec::len)
+        );
+        for (shown, course) in pairs {
+            match course.as_array() {
+                Some(course) => {
+                    assert_eq!(course.len(), 61);
+                    assert_eq!(&course[key], shown, "at {key}");
+                }
+                None => assert_eq!(course, shown),
+            }
+        }
+    }
+    page.assert_quiet();
+}

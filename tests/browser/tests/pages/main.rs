@@ -22,3 +22,4 @@ mod signs;
 mod space;
 mod tables;
 mod thinned;
+mod vectors;

@@ -1,7 +1,7 @@
 //! With a finger on a phone.
 
 use linkage_browser::samples::{FourBar, four_bar, spatial, written};
-use linkage_browser::{PHONE, Page};
+use linkage_browser::{PHONE, Page, SMALL_PHONE};
 
 #[test]
 fn fingers_play_and_trace() {
@@ -39,6 +39,46 @@ fn fingers_play_and_trace() {
         "a tap in the plot leads there"
     );
     page.shoot("phone-plots");
+    page.assert_quiet();
+}
+
+/// The slider and the words of the position have a row each, and the words are whole.
+#[test]
+fn the_readout_is_whole() {
+    let Some(mut page) = Page::open(&written(
+        &four_bar("Words", FourBar::TURNING),
+        "phone-words",
+    )) else {
+        return;
+    };
+    for screen in [PHONE, SMALL_PHONE] {
+        page.screen(screen);
+        // The longest numbers.
+        page.value("(() => { const slider = document.getElementById('position'); slider.value = 287; slider.dispatchEvent(new Event('input')); })()");
+        page.settle();
+        let cut = page.words(
+            "[document.getElementById('readout'), ...document.getElementById('readout').children].filter((own) => own.scrollWidth > own.clientWidth + 1 && own.clientWidth > 0 \
+             || own.getBoundingClientRect().right > innerWidth).map((own) => own.textContent).join('; ')",
+        );
+        assert_eq!(cut, "", "on a {}", screen.name);
+        let words = page.words("document.getElementById('readout').innerText");
+        assert!(
+            words.contains("phi = 287 deg")
+                && words.contains("rad")
+                && words.contains("row 288 of 361, t = "),
+            "{words}"
+        );
+        let [_, top, width, height] = page.place("#position");
+        assert!(width > f64::from(screen.width) - 40.0, "{width}");
+        for other in ["#play", "#readout", "#direction", "#speed"] {
+            let [_, own, _, tall] = page.place(other);
+            assert!(
+                own >= top + height - 1.0 || own + tall <= top + 1.0,
+                "{other} is beside the slider"
+            );
+        }
+        page.shoot(&format!("readout-{}", screen.name));
+    }
     page.assert_quiet();
 }
 

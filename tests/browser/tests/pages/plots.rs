@@ -1,8 +1,8 @@
 //! Plots: what they show, and what pointers do in them.
 
 use crate::checks;
-use linkage_browser::samples::{FourBar, four_bar, roundoff, written};
-use linkage_browser::{PHONE, Page};
+use linkage_browser::samples::{FourBar, four_bar, roundoff, sliders, spatial, written};
+use linkage_browser::{DESKTOP, PHONE, Page};
 
 fn page(name: &str) -> Option<Page> {
     Page::open(&written(&four_bar("Plots", FourBar::TURNING), name))
@@ -228,4 +228,56 @@ fn roundoff_is_no_motion() {
     }
     page.shoot("roundoff");
     page.assert_quiet();
+}
+
+/// Labels of extremes that lie on a curve, on each other or beyond the frame, and how many extremes have no label.
+const COVERED: &str = "(() => {
+    const bad = [];
+    let [marks, labels] = [0, 0];
+    for (const plot of document.querySelectorAll('.plot')) {
+        const frame = plot.querySelector('.frame').getBBox();
+        const texts = [...plot.querySelectorAll('.extremes text')].map((own) => ({ text: own.textContent, box: own.getBBox() }));
+        marks += plot.querySelectorAll('.extremes circle').length;
+        labels += texts.length;
+        // Ascent and descent have no ink of digits.
+        const inner = ({ x, y, width, height }) => [x + 1, y + 3, x + width - 1, y + height - 3];
+        const curves = [...plot.querySelectorAll('.curve')];
+        const places = curves.flatMap((curve) => Array.from({ length: Math.ceil(curve.getTotalLength()) }, (_, at) => curve.getPointAtLength(at)));
+        texts.forEach(({ text, box }, k) => {
+            const [left, top, right, bottom] = inner(box);
+            if (places.some(({ x, y }) => x > left && x < right && y > top && y < bottom)) bad.push(`${text} on a curve`);
+            if (left < frame.x || right > frame.x + frame.width || top < frame.y || bottom > frame.y + frame.height) bad.push(`${text} beyond the frame`);
+            for (const other of texts.slice(k + 1)) {
+                const [a, b, c, d] = inner(other.box);
+                if (left < c && a < right && top < d && b < bottom) bad.push(`${text} on ${other.text}`);
+            }
+        });
+    }
+    return { bad: bad.join('; '), marks, labels };
+})()";
+
+#[test]
+fn labels_of_extremes_are_clear() {
+    let reports = [
+        ("four-bar", four_bar("Labels", FourBar::TURNING)),
+        ("swinging", four_bar("Labels", FourBar::SWINGING)),
+        ("sliders", sliders()),
+        ("space", spatial()),
+    ];
+    let [mut marks, mut labels] = [0.0, 0.0];
+    for (name, report) in reports {
+        let Some(mut page) = Page::open(&written(&report, &format!("labels-{name}"))) else {
+            return;
+        };
+        for screen in [DESKTOP, PHONE] {
+            page.screen(screen);
+            let found = page.value(COVERED);
+            assert_eq!(found["bad"], "", "{name} on a {}", screen.name);
+            marks += found["marks"].as_f64().expect("a number");
+            labels += found["labels"].as_f64().expect("a number");
+        }
+        page.assert_quiet();
+    }
+    println!("{labels} labels of {marks} extremes");
+    assert!(labels > 0.8 * marks, "{labels} labels of {marks} extremes");
 }

@@ -39,18 +39,20 @@ fn what_is_known_is_told() {
         operations.contains("motion|61|21 add, 34 mul, 3 div, 1 sqrt, 1 sin_cos, 1 atan2"),
         "{operations}"
     );
-    // Radians, degrees on a line below.
+    // Degrees, radians on a line below.
     let value = page.words("document.querySelector('[data-table=summary] .amount').innerText");
     let lines: Vec<&str> = value.lines().collect();
     assert_eq!(lines.len(), 2, "{value}");
     let [_, b, _] = FourBar::TURNING.points(1.0);
     let radians = b[1].atan2(b[0] - FourBar::TURNING.frame);
-    assert!(checks::is_short_for(lines[0], radians), "{value}");
-    let degrees = lines[1].trim_end_matches(" deg");
     assert!(
-        checks::is_short_for(degrees, radians.to_degrees()),
+        checks::is_short_for(lines[0], radians.to_degrees()),
         "{value}"
     );
+    let below = lines[1].trim_end_matches(" rad");
+    assert!(checks::is_short_for(below, radians), "{value}");
+    let unit = page.words("document.querySelector('[data-table=summary] tr:has(.amount small) td:last-child').textContent");
+    assert_eq!(unit, "deg");
     let facts = table(&mut page, "facts");
     assert!(
         facts.contains("a test with <b>letters</b> & signs </script>"),
@@ -110,8 +112,22 @@ fn all_values_of_a_position() {
             .map(|part| part.as_str().expect("words"))
             .join("|");
             let cell = format!("document.querySelector('[data-value={key:?}]')");
-            let shown = page.words(&format!("{cell}.textContent"));
             let value = column["values"][123].as_f64().expect("a number");
+            // Angles are in degrees, and have their radians at the end of the row.
+            let cell = match column["unit"].as_str() {
+                Some("rad") => {
+                    let shown = page.words(&format!("{cell}.textContent"));
+                    let unit = page.words(&format!("{cell}.nextSibling.textContent"));
+                    assert!(
+                        checks::is_short_for(&shown, value.to_degrees()),
+                        "{key}: {shown}"
+                    );
+                    assert_eq!(unit, "deg", "{key}");
+                    format!("{cell}.parentNode.querySelector('small [data-exact]')")
+                }
+                _ => cell,
+            };
+            let shown = page.words(&format!("{cell}.textContent"));
             assert!(checks::is_short_for(&shown, value), "{key}: {shown}");
             // What is left out is told where the pointer rests.
             let all = page.words(&format!("{cell}.title || {cell}.textContent"));
