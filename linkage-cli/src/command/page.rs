@@ -1,5 +1,7 @@
 //! `linkage page`: the report of all functions.
 
+mod report;
+
 use std::collections::BTreeSet;
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -10,18 +12,15 @@ use std::time::{Duration, SystemTime, UNIX_EPOCH};
 use clap::{Args, value_parser};
 use linkage_compiler::shortened;
 use linkage_engine::Mechanism;
-use linkage_js::description;
 use linkage_report::{Index, Report, ReportError};
-use linkage_runtime::Programs;
 
 use super::choose::Chosen;
 use super::output::print;
-use super::range;
 use super::replaced::refuse_page;
-use super::sweep::{arguments, positions, still};
 use super::values::{Dimensions, parts};
 use crate::failure::{Failure, known_names};
 use crate::normal::normal;
+use report::{ReportOptions, report};
 
 /// Options of the command.
 #[derive(Debug, Args)]
@@ -46,9 +45,6 @@ pub(super) struct Options {
     #[arg(long)]
     open: bool,
 }
-
-/// Bytes for each number, about: the number, and its texts in the page and in all files.
-const BYTES: usize = 100;
 
 /// Interval between checks of a watched file.
 const LOOK_EVERY: Duration = Duration::from_millis(200);
@@ -98,9 +94,18 @@ fn write(options: &Options, folder: &Path) -> Result<(), Failure> {
     for mechanism in &mut all {
         options.dimensions.tolerate(mechanism)?;
     }
+    let report_options = ReportOptions {
+        dimensions: &options.dimensions,
+        at: &options.at,
+        steps: options.steps,
+        version: options.watch.then(milliseconds),
+    };
     let reports: Vec<Report> = all
         .iter()
-        .map(|mechanism| report(options, mechanism))
+        .map(|mechanism| {
+            known(mechanism, &options.at)?;
+            report(&report_options, mechanism)
+        })
         .collect::<Result<_, _>>()?;
     match &reports[..] {
         [only] => {
@@ -143,65 +148,6 @@ fn moving(all: Vec<Mechanism>) -> Result<Vec<Mechanism>, Failure> {
     }
 }
 
-/// All functions over the range of the first input.
-fn report(options: &Options, mechanism: &Mechanism) -> Result<Report, Failure> {
-    let input = &mechanism.inputs()[0];
-    let assembly = range::assembled(&options.dimensions, mechanism)?;
-    let positions = positions(mechanism, input, [None; 2], options.steps)?;
-    let columns = mechanism
-        .headings()
-        .iter()
-        .map(|heading| heading.columns.len());
-    let positions = positions.held(columns.sum(), BYTES)?;
-    let description = description(mechanism.name(), mechanism.compiled());
-    let mut report = Report::new(mechanism.name(), input, &positions)
-        .about(first_paragraph(&mechanism.compiled().documentation))
-        .structure(mechanism.structure())
-        .modes(assembly.modes())
-        .dimensions_listed(mechanism.parameters(), assembly.dimensions())
-        .programs(Programs {
-            description: Box::leak(description.into_boxed_str()),
-        });
-    if options.watch {
-        report = report.version(milliseconds());
-    }
-    known(mechanism, &options.at)?;
-    still(input, &options.at)?;
-    let mut drawn = false;
-    for (function, heading) in mechanism.headings().iter().enumerate() {
-        let again = drawn && heading.picture.is_some();
-        let argument_index = heading
-            .arguments
-            .iter()
-            .position(|argument| *argument == input.name);
-        let arguments_given = arguments(
-            mechanism,
-            function,
-            &given(mechanism, function, &options.at),
-        )?;
-        let why = match (again, argument_index, arguments_given.complete()) {
-            (false, Some(argument_index), Ok(arguments_given)) => {
-                drawn |= heading.picture.is_some();
-                let mut slices: Vec<&[f64]> = arguments_given.chunks(1).collect();
-                slices[argument_index] = &positions;
-                report = report.table(&assembly.calls(function, &slices));
-                let beside = heading.arguments.iter().zip(&arguments_given);
-                for (&name, &value) in beside.filter(|(name, _)| **name != input.name) {
-                    report = report.argument(name, value);
-                }
-                continue;
-            }
-            (true, ..) => "there is one drawing".to_owned(),
-            (_, None, _) => format!("it does not take `{}`", input.name),
-            (.., Err(why)) => why,
-        };
-        let note = format!("`{}` is not shown: {why}", heading.function);
-        eprintln!("note: {}: {note}", mechanism.name());
-        report = report.note(note);
-    }
-    Ok(report)
-}
-
 /// Checks that some function takes each of the given arguments.
 fn known(mechanism: &Mechanism, all: &[String]) -> Result<(), Failure> {
     let takes = mechanism
@@ -221,22 +167,6 @@ fn known(mechanism: &Mechanism, all: &[String]) -> Result<(), Failure> {
         }
     }
     Ok(())
-}
-
-/// The given arguments that a function takes: others may be for other functions.
-fn given(mechanism: &Mechanism, function: usize, all: &[String]) -> Vec<String> {
-    let takes = mechanism.headings()[function].arguments;
-    let known = all.iter().filter(|given| {
-        let name = given.split_once('=').map_or("", |pair| pair.0.trim());
-        takes.contains(&name)
-    });
-    known.cloned().collect()
-}
-
-fn first_paragraph(text: &str) -> String {
-    let lines = text.lines().map(str::trim);
-    let lines: Vec<&str> = lines.take_while(|line| !line.is_empty()).collect();
-    lines.join(" ")
 }
 
 /// A number that later versions exceed.
