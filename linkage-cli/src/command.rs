@@ -7,6 +7,7 @@ use clap::error::{ContextKind, ContextValue, ErrorKind};
 use clap::{CommandFactory, Parser, Subcommand};
 use linkage_compiler::shortened;
 
+mod arguments_given;
 mod assemblies;
 mod c;
 mod check;

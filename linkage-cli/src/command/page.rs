@@ -2,7 +2,6 @@
 
 mod report;
 
-use std::collections::BTreeSet;
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
@@ -10,15 +9,16 @@ use std::thread::sleep;
 use std::time::{Duration, SystemTime, UNIX_EPOCH};
 
 use clap::{Args, value_parser};
-use linkage_compiler::shortened;
 use linkage_engine::Mechanism;
 use linkage_report::{Index, Report, ReportError};
 
+use super::arguments_given::{refuse_unknown, takes};
 use super::choose::Chosen;
 use super::output::print;
 use super::replaced::refuse_page;
+use super::sweep::runs;
 use super::values::{Dimensions, parts};
-use crate::failure::{Failure, known_names};
+use crate::failure::Failure;
 use crate::normal::normal;
 use report::{ReportOptions, report};
 
@@ -91,8 +91,10 @@ fn changed(file: &Path) -> Option<(SystemTime, u64)> {
 fn write(options: &Options, folder: &Path) -> Result<(), Failure> {
     refuse_page(folder, options.chosen.file())?;
     let mut all = moving(options.chosen.all()?)?;
+    options.dimensions.known_to_any(&all)?;
+    check_arguments(&all, &options.at)?;
     for mechanism in &mut all {
-        options.dimensions.tolerate(mechanism)?;
+        options.dimensions.known_to(mechanism).tolerate(mechanism)?;
     }
     let report_options = ReportOptions {
         dimensions: &options.dimensions,
@@ -102,10 +104,7 @@ fn write(options: &Options, folder: &Path) -> Result<(), Failure> {
     };
     let reports: Vec<Report> = all
         .iter()
-        .map(|mechanism| {
-            known(mechanism, &options.at)?;
-            report(&report_options, mechanism)
-        })
+        .map(|mechanism| report(&report_options, mechanism))
         .collect::<Result<_, _>>()?;
     match &reports[..] {
         [only] => {
@@ -148,22 +147,14 @@ fn moving(all: Vec<Mechanism>) -> Result<Vec<Mechanism>, Failure> {
     }
 }
 
-/// Checks that some function takes each of the given arguments.
-fn known(mechanism: &Mechanism, all: &[String]) -> Result<(), Failure> {
-    let takes = mechanism
-        .headings()
-        .iter()
-        .flat_map(|heading| heading.arguments);
-    let takes: BTreeSet<&str> = takes.copied().collect();
-    for given in all {
+/// Fails at the first argument that no function takes, or that runs wherever it is taken.
+fn check_arguments(all: &[Mechanism], given: &[String]) -> Result<(), Failure> {
+    refuse_unknown(all, given)?;
+    for given in given {
         let (name, _) = parts("--at", given)?;
-        if !takes.contains(name) {
-            return Err(Failure::Told(format!(
-                "no function of {} takes `{}`; they take {}",
-                mechanism.name(),
-                shortened(name),
-                known_names(name, takes)
-            )));
+        let mut taking = all.iter().filter(|mechanism| takes(mechanism, name));
+        if taking.all(|mechanism| mechanism.inputs()[0].name == name) {
+            return Err(runs(name));
         }
     }
     Ok(())

@@ -28,8 +28,8 @@ impl Given {
     }
 }
 
-/// The arguments of a function: inputs at their references, unless `given` has another value.
-/// Arguments that are no inputs must be given.
+/// The arguments of a function: inputs at their references and loads as declared, unless `given`
+/// has another value. Speeds and accelerations must be given.
 pub(super) fn arguments(
     mechanism: &Mechanism,
     function: usize,
@@ -39,12 +39,7 @@ pub(super) fn arguments(
     let places = &mechanism.compiled().functions[function].arguments;
     let mut values: Vec<Option<f64>> = places
         .iter()
-        .map(|&argument_index| {
-            mechanism
-                .inputs()
-                .get(argument_index)
-                .map(|input| input.reference)
-        })
+        .map(|&argument_index| mechanism.default_argument(argument_index))
         .collect();
     for given in given {
         let (name, text) = parts("--at", given)?;
@@ -115,12 +110,17 @@ pub(super) fn still(running: &Input, given: &[String]) -> Result<(), Failure> {
     for given in given {
         let (name, _) = parts("--at", given)?;
         if name == running.name {
-            return Err(Failure::Told(format!(
-                "`{name}` runs from one position to the next and cannot be given by `--at`, too"
-            )));
+            return Err(runs(name));
         }
     }
     Ok(())
+}
+
+/// Returns the message for a given value of the input that runs.
+pub(super) fn runs(name: &str) -> Failure {
+    Failure::Told(format!(
+        "`{name}` runs from one position to the next and cannot be given by `--at`, too"
+    ))
 }
 
 /// Evenly spaced values of an input; a single number that is none if nothing runs.

@@ -1,5 +1,6 @@
 //! The program as its user meets it: what it prints, which files it leaves, its exit status.
 
+mod arguments;
 mod assemblies;
 mod bad_input;
 mod c;

@@ -82,6 +82,8 @@ pub struct Argument {
     pub unit: String,
     /// The quantity that it gives.
     pub role: Role,
+    /// The declared value of a load, in that unit: the default where no other value is given.
+    pub reference: Option<f64>,
 }
 
 /// The quantity that an argument gives.

@@ -59,6 +59,7 @@ pub(super) fn signature<'m>(
         name: argument.name.clone(),
         unit: argument.dimension.unit(mechanism.unit),
         role: role(mechanism, index),
+        reference: nominal.arguments[index].filter(|value| value.is_finite()),
     });
     let unknowns = mechanism.unknowns.iter().map(|unknown| {
         let dimension = unknown.ty.dimension();

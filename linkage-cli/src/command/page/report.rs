@@ -5,8 +5,9 @@ use linkage_js::description;
 use linkage_report::Report;
 use linkage_runtime::Programs;
 
+use crate::command::arguments_given::among;
 use crate::command::range;
-use crate::command::sweep::{arguments, positions, still};
+use crate::command::sweep::{arguments, positions};
 use crate::command::values::Dimensions;
 use crate::failure::Failure;
 
@@ -15,9 +16,9 @@ const BYTES: usize = 100;
 
 /// Options of a report.
 pub(super) struct ReportOptions<'a> {
-    /// Dimensions other than those of the file.
+    /// Dimensions other than those of the file, of all its mechanisms.
     pub(super) dimensions: &'a Dimensions,
-    /// Arguments, as `omega=20rad/s`.
+    /// Arguments, as `omega=20rad/s`, of all mechanisms.
     pub(super) at: &'a [String],
     /// The number of positions.
     pub(super) steps: u32,
@@ -31,7 +32,8 @@ pub(super) fn report(
     mechanism: &Mechanism,
 ) -> Result<Report, Failure> {
     let input = &mechanism.inputs()[0];
-    let assembly = range::assembled(options.dimensions, mechanism)?;
+    let dimensions = options.dimensions.known_to(mechanism);
+    let assembly = range::assembled(&dimensions, mechanism)?;
     let positions = positions(mechanism, input, [None; 2], options.steps)?;
     let columns = mechanism
         .headings()
@@ -50,7 +52,6 @@ pub(super) fn report(
     if let Some(version) = options.version {
         report = report.version(version);
     }
-    still(input, options.at)?;
     let mut drawn = false;
     for (function, heading) in mechanism.headings().iter().enumerate() {
         let again = drawn && heading.picture.is_some();
@@ -58,8 +59,10 @@ pub(super) fn report(
             .arguments
             .iter()
             .position(|argument| *argument == input.name);
-        let arguments_given =
-            arguments(mechanism, function, &given(mechanism, function, options.at))?;
+        // The input may be a constant argument in another mechanism of the file.
+        let names = heading.arguments.iter().copied();
+        let constant: Vec<&str> = names.filter(|name| *name != input.name).collect();
+        let arguments_given = arguments(mechanism, function, &among(&constant, options.at))?;
         let why = match (again, argument_index, arguments_given.complete()) {
             (false, Some(argument_index), Ok(arguments_given)) => {
                 drawn |= heading.picture.is_some();
@@ -81,16 +84,6 @@ pub(super) fn report(
         report = report.note(note);
     }
     Ok(report)
-}
-
-/// The given arguments that a function takes: others may be for other functions.
-fn given(mechanism: &Mechanism, function: usize, all: &[String]) -> Vec<String> {
-    let takes = mechanism.headings()[function].arguments;
-    let known = all.iter().filter(|given| {
-        let name = given.split_once('=').map_or("", |pair| pair.0.trim());
-        takes.contains(&name)
-    });
-    known.cloned().collect()
 }
 
 fn first_paragraph(text: &str) -> String {
