@@ -154,7 +154,8 @@ impl Report {
         self
     }
 
-    /// A point of the picture whose path is drawn. Without any, the tips of links are traced.
+    /// A point of the picture whose path is drawn. Without any, the tips of links are traced, and the
+    /// joints whose positions are results of a table.
     #[must_use]
     pub fn trace(mut self, point: impl Into<String>) -> Self {
         self.traces.push(point.into());

@@ -37,6 +37,7 @@ mod rates;
 mod row;
 mod summary;
 mod tables;
+mod traced_points;
 mod write;
 
 pub use accuracy::BandKind;
