@@ -29,7 +29,12 @@ impl Chosen {
 
     /// All mechanisms that are meant; mistakes in any of the file are reported.
     pub(super) fn all(&self) -> Result<Vec<Mechanism>, Failure> {
-        let mut all = checked(&Source::read(&self.file)?)?;
+        self.all_of(&Source::read(&self.file)?)
+    }
+
+    /// The mechanisms of a text of the file that are meant.
+    pub(super) fn all_of(&self, source: &Source) -> Result<Vec<Mechanism>, Failure> {
+        let mut all = checked(source)?;
         let Some(name) = &self.mechanism else {
             return Ok(all);
         };

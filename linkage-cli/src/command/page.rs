@@ -1,5 +1,6 @@
 //! `linkage page`: the report of all functions.
 
+mod functionless;
 mod report;
 
 use std::fs;
@@ -9,7 +10,7 @@ use std::thread::sleep;
 use std::time::{Duration, SystemTime, UNIX_EPOCH};
 
 use clap::{Args, value_parser};
-use linkage_engine::Mechanism;
+use linkage_engine::{Mechanism, Source};
 use linkage_report::{Index, Report, ReportError};
 
 use super::arguments_given::{refuse_unknown, takes};
@@ -20,6 +21,7 @@ use super::sweep::runs;
 use super::values::{Dimensions, parts};
 use crate::failure::Failure;
 use crate::normal::normal;
+use functionless::with_functions;
 use report::{ReportOptions, report};
 
 /// Options of the command.
@@ -90,7 +92,9 @@ fn changed(file: &Path) -> Option<(SystemTime, u64)> {
 
 fn write(options: &Options, folder: &Path) -> Result<(), Failure> {
     refuse_page(folder, options.chosen.file())?;
-    let mut all = moving(options.chosen.all()?)?;
+    let source = Source::read(options.chosen.file())?;
+    let mut all = moving(options.chosen.all_of(&source)?)?;
+    let notes = add_functions(&source, &mut all);
     options.dimensions.known_to_any(&all)?;
     check_arguments(&all, &options.at)?;
     for mechanism in &mut all {
@@ -104,7 +108,11 @@ fn write(options: &Options, folder: &Path) -> Result<(), Failure> {
     };
     let reports: Vec<Report> = all
         .iter()
-        .map(|mechanism| report(&report_options, mechanism))
+        .zip(notes)
+        .map(|(mechanism, note)| {
+            let report = report(&report_options, mechanism)?;
+            Ok::<_, Failure>(note.into_iter().fold(report, Report::note))
+        })
         .collect::<Result<_, _>>()?;
     match &reports[..] {
         [only] => {
@@ -145,6 +153,21 @@ fn moving(all: Vec<Mechanism>) -> Result<Vec<Mechanism>, Failure> {
             Ok(moving)
         }
     }
+}
+
+/// Gives mechanisms without functions those for their unknowns and their drawing; returns the note
+/// about each.
+fn add_functions(source: &Source, all: &mut [Mechanism]) -> Vec<Option<String>> {
+    let note = |mechanism: &mut Mechanism| {
+        if !mechanism.headings().is_empty() {
+            return None;
+        }
+        *mechanism = with_functions(source, mechanism)?;
+        let note = "there are no functions: the page shows all unknowns";
+        eprintln!("note: {}: {note}", mechanism.name());
+        Some(note.to_owned())
+    };
+    all.iter_mut().map(note).collect()
 }
 
 /// Fails at the first argument that no function takes, or that runs wherever it is taken.

@@ -5,6 +5,7 @@ mod assemblies;
 mod bad_input;
 mod c;
 mod drawings;
+mod drawn;
 mod files;
 mod js;
 mod kept;
