@@ -37,6 +37,8 @@ pub struct Report {
     pub(super) figures: Vec<Figures>,
     pub(super) facts: Vec<Fact>,
     pub(super) version: Option<u64>,
+    /// The title of the page that leads to this report.
+    pub(super) index: Option<String>,
     pub(super) programs: Vec<Programs>,
     pub(super) given: Vec<(String, f64)>,
     pub(super) csv_style: CsvStyle,
@@ -85,6 +87,7 @@ impl Report {
             figures: Vec::new(),
             facts: Vec::new(),
             version: None,
+            index: None,
             programs: Vec::new(),
             given: Vec::new(),
             csv_style: CsvStyle::default(),
@@ -177,6 +180,13 @@ impl Report {
     #[must_use]
     pub fn version(mut self, version: u64) -> Self {
         self.version = Some(version);
+        self
+    }
+
+    /// Adds a link to an [`Index`](crate::Index) with this title, in the folder above.
+    #[must_use]
+    pub fn index(mut self, title: impl Into<String>) -> Self {
+        self.index = Some(title.into());
         self
     }
 

@@ -94,6 +94,17 @@ impl Chosen {
     }
 }
 
+/// All mistakes of a text without colours, as a page shows them; empty if there are none.
+pub(super) fn mistakes(source: &Source) -> String {
+    let calls = source.calls().iter();
+    let all = calls.flat_map(|call| {
+        let checked = check_all(call.tokens.clone()).into_iter();
+        let faulty = checked.filter(|checked| !checked.messages.is_empty());
+        faulty.map(|checked| rendered(source, call, &checked, false))
+    });
+    all.collect()
+}
+
 /// All mechanisms of a text; messages about them are printed.
 pub(super) fn checked(source: &Source) -> Result<Vec<Mechanism>, Failure> {
     let mut all = Vec::new();

@@ -1,20 +1,20 @@
 //! `linkage page`: the report of all functions.
 
+mod banner;
 mod functionless;
 mod report;
+mod watched;
 
-use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
-use std::thread::sleep;
-use std::time::{Duration, SystemTime, UNIX_EPOCH};
+use std::time::{SystemTime, UNIX_EPOCH};
 
 use clap::{Args, value_parser};
 use linkage_engine::{Mechanism, Source};
 use linkage_report::{Index, Report, ReportError};
 
 use super::arguments_given::{refuse_unknown, takes};
-use super::choose::Chosen;
+use super::choose::{Chosen, mistakes};
 use super::output::print;
 use super::replaced::refuse_page;
 use super::sweep::runs;
@@ -23,6 +23,7 @@ use crate::failure::Failure;
 use crate::normal::normal;
 use functionless::with_functions;
 use report::{ReportOptions, report};
+use watched::{Stamp, follow};
 
 /// Options of the command.
 #[derive(Debug, Args)]
@@ -48,49 +49,58 @@ pub(super) struct Options {
     open: bool,
 }
 
-/// Interval between checks of a watched file.
-const LOOK_EVERY: Duration = Duration::from_millis(200);
-
 /// Writes the page, again and again if the file is watched.
 pub(super) fn run(options: &Options) -> Result<(), Failure> {
+    let folder = options
+        .output
+        .clone()
+        .unwrap_or_else(|| PathBuf::from(format!("{}_page", options.title())));
+    if options.watch {
+        return watch(options, &folder);
+    }
+    write(options, &folder)?;
+    match options.open {
+        true => open(&folder.join("index.html")),
+        false => Ok(()),
+    }
+}
+
+/// Writes the page after each change of the file. Mistakes are reported, also on the open page.
+fn watch(options: &Options, folder: &Path) -> Result<(), Failure> {
     let file = options.chosen.file();
-    let folder = options.output.clone().unwrap_or_else(|| {
-        let stem = file.file_stem().unwrap_or_default().to_string_lossy();
-        PathBuf::from(format!("{stem}_page"))
-    });
-    let page = folder.join("index.html");
-    let mut seen = changed(file);
-    let written = write(options, &folder);
-    if options.open && written.is_ok() {
-        open(&page)?;
-    }
-    if !options.watch {
-        return written;
-    }
-    let tell = |written: Result<(), Failure>| {
-        if let Err(failure) = written {
+    let stamp = Stamp::of_file(file);
+    let mut pages = vec![folder.to_owned()];
+    let mut put = || match write(options, folder) {
+        Ok(written) => pages = written,
+        Err(failure) => {
             eprint!("{failure}");
+            if let Err(error) = banner::show(&pages, file, &failure) {
+                eprint!("{}", failure_of_report(error));
+            }
         }
     };
-    tell(written);
-    loop {
-        sleep(LOOK_EVERY);
-        let now = changed(file);
-        // A file that an editor is just rewriting is not there for a moment.
-        if now.is_some() && now != seen {
-            seen = now;
-            tell(write(options, &folder));
-        }
+    if refuse_page(folder, file).is_ok() {
+        let waiting = banner::write_waiting_page(folder, &options.title(), milliseconds());
+        waiting.map_err(failure_of_report)?;
+    }
+    put();
+    if options.open {
+        open(&folder.join("index.html"))?;
+    }
+    let is_sound = || Source::read(file).is_ok_and(|source| mistakes(&source).is_empty());
+    follow(file, stamp, is_sound, put)
+}
+
+impl Options {
+    /// The name of the file without its ending.
+    fn title(&self) -> String {
+        let stem = self.chosen.file().file_stem().unwrap_or_default();
+        stem.to_string_lossy().into_owned()
     }
 }
 
-/// When a file was changed last, and how long it is.
-fn changed(file: &Path) -> Option<(SystemTime, u64)> {
-    let data = fs::metadata(file).ok()?;
-    Some((data.modified().ok()?, data.len()))
-}
-
-fn write(options: &Options, folder: &Path) -> Result<(), Failure> {
+/// Writes the page, and returns the folders of its parts.
+fn write(options: &Options, folder: &Path) -> Result<Vec<PathBuf>, Failure> {
     refuse_page(folder, options.chosen.file())?;
     let source = Source::read(options.chosen.file())?;
     let mut all = moving(options.chosen.all_of(&source)?)?;
@@ -106,31 +116,43 @@ fn write(options: &Options, folder: &Path) -> Result<(), Failure> {
         steps: options.steps,
         version: options.watch.then(milliseconds),
     };
-    let reports: Vec<Report> = all
-        .iter()
-        .zip(notes)
-        .map(|(mechanism, note)| {
-            let report = report(&report_options, mechanism)?;
-            Ok::<_, Failure>(note.into_iter().fold(report, Report::note))
-        })
-        .collect::<Result<_, _>>()?;
-    match &reports[..] {
-        [only] => {
-            only.write(folder).map_err(failure_of_report)?;
-        }
-        several => {
-            let title = options.chosen.file().file_stem().unwrap_or_default();
-            let mut index = Index::new(title.to_string_lossy());
-            for (report, mechanism) in several.iter().zip(&all) {
-                report
-                    .write(folder.join(mechanism.name()))
-                    .map_err(failure_of_report)?;
-                index = index.report(mechanism.name(), report);
-            }
-            index.write(folder).map_err(failure_of_report)?;
-        }
+    let reports = all.iter().zip(notes).map(|(mechanism, note)| {
+        let report = report(&report_options, mechanism)?;
+        Ok::<_, Failure>(note.into_iter().fold(report, Report::note))
+    });
+    let reports: Vec<Report> = reports.collect::<Result<_, _>>()?;
+    let named = all.iter().map(Mechanism::name).zip(reports).collect();
+    let written = write_reports(folder, named, &options.title(), report_options.version);
+    let folders = written.map_err(failure_of_report)?;
+    print(&format!("{}\n", folder.join("index.html").display()))?;
+    Ok(folders)
+}
+
+/// Writes one report into the folder, or several into folders in it, with a page that leads to
+/// them. Returns all folders with a page.
+fn write_reports(
+    folder: &Path,
+    named: Vec<(&str, Report)>,
+    title: &str,
+    version: Option<u64>,
+) -> Result<Vec<PathBuf>, ReportError> {
+    let mut folders = vec![folder.to_owned()];
+    if let [(_, only)] = &named[..] {
+        only.write(folder)?;
+        return Ok(folders);
     }
-    print(&format!("{}\n", folder.join("index.html").display()))
+    let mut index = Index::new(title);
+    for (name, report) in named {
+        let report = report.index(title);
+        report.write(folder.join(name))?;
+        folders.push(folder.join(name));
+        index = index.report(name, &report);
+    }
+    if let Some(version) = version {
+        index = index.version(version);
+    }
+    index.write(folder)?;
+    Ok(folders)
 }
 
 fn failure_of_report(error: ReportError) -> Failure {

@@ -21,6 +21,7 @@ mod st;
 mod start;
 mod tables;
 mod time;
+mod watched;
 
 use std::fs;
 use std::path::{Path, PathBuf};
