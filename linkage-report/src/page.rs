@@ -21,7 +21,7 @@ const STYLES: [&str; 7] = [
     include_str!("page/print.css"),
 ];
 /// Joined in this order; the last one starts the page.
-const SCRIPTS: [&str; 40] = [
+const SCRIPTS: [&str; 41] = [
     include_str!("page/dom.js"),
     include_str!("page/numbers.js"),
     include_str!("page/exact.js"),
@@ -58,6 +58,7 @@ const SCRIPTS: [&str; 40] = [
     include_str!("page/tables.js"),
     include_str!("page/values.js"),
     include_str!("page/export.js"),
+    include_str!("page/dxf.js"),
     include_str!("page/downloads.js"),
     include_str!("page/theme.js"),
     include_str!("page/print.js"),

@@ -1,6 +1,7 @@
 //! Pages that compute: what they show for other dimensions is what the command computes for these, however they are changed.
 
 mod assemblies;
+mod dxf;
 mod figures;
 mod gaps;
 mod hands;

@@ -119,8 +119,9 @@ async function pixelsOf(view) {
 
 function pictureButtons() {
   const pages = [...(picture ? [["mechanism", drawingPage]] : []), ...(cycle.view ? [["cyclogram", cyclogramPage]] : []), ["plots", plotsPage]];
-  return pages.flatMap(([name, make]) => [
+  const pictures = pages.flatMap(([name, make]) => [
     downloadButton(`${name}.svg`, () => new Blob([textOf(make())], { type: "image/svg+xml" })),
     downloadButton(`${name}.png`, () => pixelsOf(make())),
   ]);
+  return [...pictures, ...(picture ? [downloadButton("mechanism.dxf", () => new Blob([dxfText()], { type: "image/vnd.dxf" }))] : [])];
 }
