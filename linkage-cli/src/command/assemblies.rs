@@ -13,6 +13,7 @@ use linkage_runtime::Input;
 use super::arguments_given::titles;
 use super::choose::Chosen;
 use super::output::print;
+use super::range::warn_of_negative_lengths;
 use super::values::{Dimensions, number, parts};
 use crate::failure::{Failure, known_names};
 use crate::normal::normal;
@@ -45,6 +46,7 @@ pub(super) fn run(options: &AtInputs) -> Result<(), Failure> {
     refuse_unknown_inputs(&all, at)?;
     for mechanism in all {
         let dimensions = options.dimensions.known_to(&mechanism);
+        warn_of_negative_lengths(&dimensions, &mechanism)?;
         let dimensions = dimensions.resolve(&mechanism)?;
         let at = inputs(&mechanism, at)?;
         let all = mechanism.assemblies(&dimensions, &at)?;
@@ -157,6 +159,7 @@ pub(super) fn circuits(options: &Options) -> Result<(), Failure> {
     options.dimensions.known_to_any(&all)?;
     for mechanism in all {
         let dimensions = options.dimensions.known_to(&mechanism);
+        warn_of_negative_lengths(&dimensions, &mechanism)?;
         let dimensions = dimensions.resolve(&mechanism)?;
         let name = mechanism.name();
         match mechanism.circuits(&dimensions) {
