@@ -16,10 +16,11 @@ pub(super) fn refuse_unknown(all: &[Mechanism], given: &[String]) -> Result<(), 
         if !all.iter().any(|mechanism| takes(mechanism, name)) {
             let names: BTreeSet<&str> = all.iter().flat_map(arguments).collect();
             return Err(Failure::Told(format!(
-                "no function of {} takes `{}`; they take {}",
+                "no function of {} takes `{}`; they take {}{}",
                 titles(all),
                 shortened(name),
-                known_names(name, names)
+                known_names(name, names),
+                help_with_rate(name)
             )));
         }
     }
@@ -38,6 +39,16 @@ pub(super) fn among(names: &[&str], given: &[String]) -> Vec<String> {
         names.contains(&name)
     };
     given.iter().filter(is_known).cloned().collect()
+}
+
+/// Returns the help for the usual name of a speed or an acceleration that no function takes.
+pub(super) fn help_with_rate(name: &str) -> &'static str {
+    match name {
+        "omega" | "speed" | "epsilon" | "alpha" | "acceleration" => {
+            "\nhelp: speed and acceleration of an input are declared with it, `input phi = ... at omega, epsilon`, and listed by functions"
+        }
+        _ => "",
+    }
 }
 
 /// `Press`, or a list of several names in back-ticks.

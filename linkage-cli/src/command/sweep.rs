@@ -4,6 +4,7 @@ use linkage_compiler::shortened;
 use linkage_engine::Mechanism;
 use linkage_runtime::Input;
 
+use super::arguments_given::help_with_rate;
 use super::memory::Held;
 use super::values::{number, parts};
 use crate::failure::{Failure, known_names};
@@ -49,10 +50,11 @@ pub(super) fn arguments(
             .position(|argument| *argument == name)
         else {
             return Err(Failure::Told(format!(
-                "`{}` does not take `{}`; it takes {}",
+                "`{}` does not take `{}`; it takes {}{}",
                 heading.function,
                 shortened(name),
-                known_names(name, heading.arguments.iter().copied())
+                known_names(name, heading.arguments.iter().copied()),
+                help_with_rate(name)
             )));
         };
         let (_, unit) = mechanism.argument(places[index]);
