@@ -7,7 +7,7 @@ use std::path::Path;
 use super::output::print;
 use crate::failure::Failure;
 
-const SLIDER_CRANK: &str = include_str!("slider_crank.mech");
+const SLIDER_CRANK: &str = include_str!("../templates/slider.mech");
 
 /// Writes a slider-crank, but never over a file.
 pub(super) fn run(file: &Path) -> Result<(), Failure> {
