@@ -20,6 +20,7 @@ mod rust;
 mod st;
 mod start;
 mod tables;
+mod templates;
 mod time;
 mod watched;
 

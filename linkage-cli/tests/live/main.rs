@@ -9,4 +9,5 @@ mod many;
 mod pages;
 mod quotients;
 mod strokes;
+mod templates;
 mod values;
