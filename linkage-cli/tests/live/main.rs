@@ -8,6 +8,7 @@ mod hands;
 mod many;
 mod pages;
 mod quotients;
+mod shown;
 mod strokes;
 mod templates;
 mod values;
