@@ -7,6 +7,7 @@ use clap::error::{ContextKind, ContextValue, ErrorKind};
 use clap::{CommandFactory, Parser, Subcommand};
 use linkage_compiler::shortened;
 
+mod arguments_given;
 mod assemblies;
 mod c;
 mod check;
@@ -38,11 +39,8 @@ struct Arguments {
 
 #[derive(Debug, Subcommand)]
 enum Command {
-    /// Writes a commented slider-crank to start from
-    New {
-        /// The file, which must not be there yet
-        file: PathBuf,
-    },
+    /// Writes a commented mechanism to start from
+    New(new::Options),
     /// Tells all mistakes, then structure, assemblies, ranges and operation counts
     Check {
         /// Files with mechanisms
@@ -86,7 +84,7 @@ pub fn run() -> ExitCode {
             }
             table::run(options)
         }
-        Command::New { file } => new::run(file),
+        Command::New(options) => new::run(options),
         Command::Page(options) => page::run(options),
         Command::Tolerance(options) => tolerance::run(options),
         Command::Assemblies(options) => assemblies::run(options),

@@ -14,6 +14,7 @@ mod confusable;
 mod failure;
 mod look_alike;
 mod normal;
+mod templates;
 
 pub use command::run;
 pub use failure::Failure;

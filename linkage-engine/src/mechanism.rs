@@ -276,6 +276,20 @@ impl Mechanism {
         self.description.modes.to_vec()
     }
 
+    /// Returns the default of an argument of functions, by its index among inputs and arguments:
+    /// the reference of an input, the declared value of a load. A speed or an acceleration has none.
+    ///
+    /// # Panics
+    ///
+    /// If there is no such argument.
+    #[must_use]
+    pub fn default_argument(&self, index: usize) -> Option<f64> {
+        match index.checked_sub(self.inputs().len()) {
+            None => Some(self.inputs()[index].reference),
+            Some(number) => self.compiled.arguments[number].reference,
+        }
+    }
+
     /// Returns name and unit of an argument of functions, by its index among inputs and arguments.
     ///
     /// # Panics

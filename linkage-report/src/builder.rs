@@ -37,6 +37,8 @@ pub struct Report {
     pub(super) figures: Vec<Figures>,
     pub(super) facts: Vec<Fact>,
     pub(super) version: Option<u64>,
+    /// The title of the page that leads to this report.
+    pub(super) index: Option<String>,
     pub(super) programs: Vec<Programs>,
     pub(super) given: Vec<(String, f64)>,
     pub(super) source: Option<String>,
@@ -86,6 +88,7 @@ impl Report {
             figures: Vec::new(),
             facts: Vec::new(),
             version: None,
+            index: None,
             programs: Vec::new(),
             given: Vec::new(),
             source: None,
@@ -156,7 +159,8 @@ impl Report {
         self
     }
 
-    /// A point of the picture whose path is drawn. Without any, the tips of links are traced.
+    /// A point of the picture whose path is drawn. Without any, the tips of links are traced, and the
+    /// joints whose positions are results of a table.
     #[must_use]
     pub fn trace(mut self, point: impl Into<String>) -> Self {
         self.traces.push(point.into());
@@ -178,6 +182,13 @@ impl Report {
     #[must_use]
     pub fn version(mut self, version: u64) -> Self {
         self.version = Some(version);
+        self
+    }
+
+    /// Adds a link to an [`Index`](crate::Index) with this title, in the folder above.
+    #[must_use]
+    pub fn index(mut self, title: impl Into<String>) -> Self {
+        self.index = Some(title.into());
         self
     }
 

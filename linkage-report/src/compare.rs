@@ -205,6 +205,7 @@ impl<'a> Comparison<'a> {
         self.check()?;
         let framed = Framed {
             title: &self.title,
+            index: None,
             policy: POLICY,
             style: &(STYLES.join("\n") + &page_rules(0)),
             body: BODY,

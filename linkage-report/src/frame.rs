@@ -10,6 +10,8 @@ const FRAME: &str = include_str!("page/frame.html");
 /// The contents of a page.
 pub(super) struct Framed<'a> {
     pub(super) title: &'a str,
+    /// The title of the page of several reports in the folder above, if there is one.
+    pub(super) index: Option<&'a str>,
     /// The allowed sources of everything that the page loads.
     pub(super) policy: &'a str,
     pub(super) style: &'a str,
@@ -26,9 +28,14 @@ impl Framed<'_> {
         let script = std::format!("(() => {{\n\"use strict\";\n{}}})();", bare(self.script));
         let (id, json) = self.data;
         let attributes = std::format!(" type=\"application/json\" id=\"{id}\"");
+        let index = self.index.map(|title| {
+            let title = escaped(title);
+            std::format!("    <a id=\"index\" href=\"../index.html\">&larr; {title}</a>\n")
+        });
         // The data come last: they may contain anything, even the words that are replaced.
         FRAME
             .replace("<!-- title -->", &escaped(self.title))
+            .replace("<!-- index -->\n", &index.unwrap_or_default())
             .replace("<!-- policy -->", self.policy)
             .replace(
                 "<!-- style -->",

@@ -13,6 +13,8 @@ pub(super) fn check_words(report: &Report, mistakes: &mut Vec<Mistake>) {
     let of = |what: &str, words: &str| control(what, words);
     mistakes.extend(of("the title", &report.title));
     mistakes.extend(of("the text below the title", &report.about));
+    let index = report.index.as_ref();
+    mistakes.extend(index.and_then(|title| of("the title of the index", title)));
     for (index, note) in report.notes.iter().enumerate() {
         mistakes.extend(of(&format!("note {index}"), note));
     }

@@ -8,7 +8,9 @@ use std::string::String;
 use std::vec::Vec;
 
 use super::builder::Report;
+use super::frame::bare;
 use super::positioned_picture;
+use super::version::{follow_script, version_file};
 use linkage_formats::characters::{control, escaped};
 use linkage_formats::error::{ReportError, failed};
 use linkage_formats::output_file;
@@ -32,6 +34,7 @@ const FRAME: &str = include_str!("page/index.html");
 pub struct Index {
     title: String,
     entries: Vec<Entry>,
+    version: Option<u64>,
 }
 
 #[derive(Clone, Debug)]
@@ -49,7 +52,15 @@ impl Index {
         Self {
             title: title.into(),
             entries: Vec::new(),
+            version: None,
         }
+    }
+
+    /// Sets the version of a page that is written repeatedly, as [`Report::version`] does.
+    #[must_use]
+    pub fn version(mut self, version: u64) -> Self {
+        self.version = Some(version);
+        self
     }
 
     /// A report that is written to a folder beside the page.
@@ -75,7 +86,12 @@ impl Index {
         }
         let folder = folder.as_ref();
         fs::create_dir_all(folder).map_err(failed(folder))?;
-        output_file::file(&folder.join("index.html"), self.html())
+        let page = output_file::file(&folder.join("index.html"), self.html())?;
+        if let Some(version) = self.version {
+            let (path, text) = version_file(folder, version);
+            output_file::file(&path, text)?;
+        }
+        Ok(page)
     }
 
     /// The page.
@@ -84,6 +100,7 @@ impl Index {
         let entries: Vec<String> = self.entries.iter().map(Entry::html).collect();
         FRAME
             .replace("<!-- title -->", &escaped(&self.title))
+            .replace("<!-- script -->", &script(self.version))
             .replacen("<!-- entries -->", &entries.join("\n"), 1)
     }
 }
@@ -97,6 +114,14 @@ impl Entry {
             false => "<div class=\"none\"></div>".to_owned(),
         };
         format!("<a href=\"{folder}/index.html\">{picture}<h2>{title}</h2><p>{about}</p></a>")
+    }
+}
+
+/// The script of a page that follows its versions.
+fn script(version: Option<u64>) -> String {
+    match version {
+        Some(_) => format!("<script>\n{}</script>\n", bare(&follow_script(version))),
+        None => String::new(),
     }
 }
 

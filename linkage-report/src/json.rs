@@ -14,6 +14,7 @@ use super::palette::{Palette, Style};
 use super::positioned_picture::PositionedPicture;
 use super::rates::True;
 use super::tables::Saved;
+use super::traced_points::traced_points;
 use super::{
     accuracy, check, downsample, machine, missing, palette, positioned_picture, rates, summary,
 };
@@ -197,7 +198,7 @@ fn picture_value(
         "axes": list(picture.axes, |axis| {
             json!({ "point": axis.point, "direction": axis.direction })
         }),
-        "traces": positioned_picture::traced_points(report, picture),
+        "traces": traced_points(report, shown),
     });
     signs::add(&mut value, shown);
     if let Some(view) = report.view {

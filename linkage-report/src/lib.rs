@@ -38,6 +38,8 @@ mod row;
 mod spaces;
 mod summary;
 mod tables;
+mod traced_points;
+mod version;
 mod write;
 
 pub use accuracy::BandKind;
@@ -50,3 +52,4 @@ pub use linkage_formats::AtomicFile;
 pub use linkage_formats::{CsvStyle, Mistake, ReportError};
 pub use plot::Plot;
 pub use row::SummaryRow;
+pub use version::show_mistakes;

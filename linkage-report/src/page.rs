@@ -4,6 +4,7 @@ use std::string::String;
 
 use super::builder::Report;
 use super::frame::Framed;
+use super::version::follow_script;
 use super::{joint_signs, json, machine, positioned_picture};
 use linkage_formats::ReportError;
 use linkage_formats::colour::page_rules;
@@ -101,15 +102,8 @@ const LIVE_CYCLE: [&str; 2] = [
     include_str!("page/live/overlaps.js"),
 ];
 
-/// Script of a page that follows the versions of its report.
-const FOLLOW: &str = include_str!("page/follow.js");
-
 /// Returns the interactive page.
 pub(super) fn page_html(report: &Report) -> Result<String, ReportError> {
-    let follow = match report.version {
-        Some(version) => std::format!("{FOLLOW}\nfollow({version});\n"),
-        None => String::new(),
-    };
     let joints =
         positioned_picture::find_picture(report).map_or(&[][..], |shown| shown.picture.joints);
     let script = engine_script(report)
@@ -117,9 +111,10 @@ pub(super) fn page_html(report: &Report) -> Result<String, ReportError> {
         + &SCRIPTS[..START].join("\n")
         + &live_script(report)
         + SCRIPTS[START]
-        + &follow;
+        + &follow_script(report.version);
     let framed = Framed {
         title: &report.title,
+        index: report.index.as_deref(),
         policy: &content_policy(report),
         style: &(page_styles(report) + &page_rules(machine::link_hues(report))),
         body: BODY,

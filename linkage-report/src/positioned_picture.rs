@@ -116,26 +116,6 @@ pub(super) fn is_drawable(report: &Report) -> bool {
     find_picture(report).is_some_and(|shown| (0..shown.rows()).any(|row| shown.is_assembled(row)))
 }
 
-/// Indices of the points whose paths are drawn: those that were asked for, otherwise tips.
-pub(super) fn traced_points(report: &Report, picture: &Picture) -> Vec<usize> {
-    let tips = || {
-        let points = picture.points.iter().enumerate();
-        points.filter(|(_, point)| point.kind == PointKind::Tip)
-    };
-    match report.traces.as_slice() {
-        [] => tips().map(|(index, _)| index).collect(),
-        names => {
-            let mut found = Vec::new();
-            for index in names.iter().filter_map(|name| point_named(picture, name)) {
-                if !found.contains(&index) {
-                    found.push(index);
-                }
-            }
-            found
-        }
-    }
-}
-
 /// Returns the notes about loops that are not drawn, and about points that no link carries.
 pub(super) fn told_of_missing(picture: &Picture) -> Vec<String> {
     let undrawn = told_of_undrawn_loops(picture);

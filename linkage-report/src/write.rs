@@ -8,6 +8,7 @@ use std::vec::Vec;
 use super::AtomicFile;
 use super::builder::Report;
 use super::drawing::Drawing;
+use super::version::version_file;
 use super::{csv, json, machine, page, plots, positioned_picture, tables};
 use linkage_analysis::internals::bars;
 use linkage_formats::error::{ReportError, failed};
@@ -57,8 +58,7 @@ pub(super) fn write_report(
     }
     // Put in its place last: who reloads the page then finds the new one.
     if let Some(version) = report.version {
-        let text = format!("linkageVersion({version});\n");
-        files.push((folder.join("version.js"), text));
+        files.push(version_file(folder, version));
     }
     let mut written = Vec::new();
     for (path, text) in &files {

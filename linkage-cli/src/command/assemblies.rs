@@ -2,6 +2,7 @@
 
 mod numbers;
 
+use std::collections::BTreeSet;
 use std::fmt::Write;
 
 use clap::Args;
@@ -9,8 +10,10 @@ use linkage_compiler::{length_as_written, shortened};
 use linkage_engine::{Assembly, Mechanism};
 use linkage_runtime::Input;
 
+use super::arguments_given::titles;
 use super::choose::Chosen;
 use super::output::print;
+use super::range::warn_of_negative_lengths;
 use super::values::{Dimensions, number, parts};
 use crate::failure::{Failure, known_names};
 use crate::normal::normal;
@@ -38,8 +41,13 @@ pub(super) struct AtInputs {
 /// Lists the assemblies of each mechanism.
 pub(super) fn run(options: &AtInputs) -> Result<(), Failure> {
     let AtInputs { options, at } = options;
-    for mechanism in options.chosen.all()? {
-        let dimensions = options.dimensions.resolve(&mechanism)?;
+    let all = options.chosen.all()?;
+    options.dimensions.known_to_any(&all)?;
+    refuse_unknown_inputs(&all, at)?;
+    for mechanism in all {
+        let dimensions = options.dimensions.known_to(&mechanism);
+        warn_of_negative_lengths(&dimensions, &mechanism)?;
+        let dimensions = dimensions.resolve(&mechanism)?;
         let at = inputs(&mechanism, at)?;
         let all = mechanism.assemblies(&dimensions, &at)?;
         let pairs = mechanism.inputs().iter().zip(&at);
@@ -147,8 +155,12 @@ pub(super) fn not_listed(mechanism: &Mechanism) -> Option<String> {
 pub(super) fn circuits(options: &Options) -> Result<(), Failure> {
     let mut without = Vec::new();
     let mut some = false;
-    for mechanism in options.chosen.all()? {
-        let dimensions = options.dimensions.resolve(&mechanism)?;
+    let all = options.chosen.all()?;
+    options.dimensions.known_to_any(&all)?;
+    for mechanism in all {
+        let dimensions = options.dimensions.known_to(&mechanism);
+        warn_of_negative_lengths(&dimensions, &mechanism)?;
+        let dimensions = dimensions.resolve(&mechanism)?;
         let name = mechanism.name();
         match mechanism.circuits(&dimensions) {
             Some(found) => {
@@ -171,24 +183,37 @@ pub(super) fn circuits(options: &Options) -> Result<(), Failure> {
     }
 }
 
-/// All inputs: at their references, unless `given` says another value.
+/// Fails at the first given value whose input none of the mechanisms has.
+fn refuse_unknown_inputs(all: &[Mechanism], given: &[String]) -> Result<(), Failure> {
+    let inputs = all.iter().flat_map(|mechanism| mechanism.inputs());
+    let names: BTreeSet<&str> = inputs.map(|input| input.name).collect();
+    for given in given {
+        let (name, _) = parts("--at", given)?;
+        if names.contains(name) {
+            continue;
+        }
+        let unknown = shortened(name);
+        let known = known_names(name, names);
+        return Err(Failure::Told(match all {
+            [only] => format!("{} has no input `{unknown}`; it has {known}", only.name()),
+            several => format!(
+                "none of {} has an input `{unknown}`; they have {known}",
+                titles(several)
+            ),
+        }));
+    }
+    Ok(())
+}
+
+/// All inputs: at their references, except for those that have a given value.
 fn inputs(mechanism: &Mechanism, given: &[String]) -> Result<Vec<f64>, Failure> {
     let mut at = mechanism.reference();
     for given in given {
         let (name, text) = parts("--at", given)?;
-        let Some(index) = mechanism
-            .inputs()
-            .iter()
-            .position(|input| input.name == name)
-        else {
-            return Err(Failure::Told(format!(
-                "{} has no input `{}`; it has {}",
-                mechanism.name(),
-                shortened(name),
-                known_names(name, mechanism.inputs().iter().map(|input| input.name))
-            )));
-        };
-        at[index] = number(mechanism, name, text, mechanism.inputs()[index].unit)?;
+        let mut inputs = mechanism.inputs().iter();
+        if let Some(index) = inputs.position(|input| input.name == name) {
+            at[index] = number(mechanism, name, text, mechanism.inputs()[index].unit)?;
+        }
     }
     Ok(at)
 }

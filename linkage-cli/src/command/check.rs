@@ -54,6 +54,7 @@ fn one(file: &Path, given: &Dimensions) -> Result<bool, Failure> {
     }
     for mechanism in &all {
         let dimensions_known = given.known_to(mechanism);
+        range::warn_of_negative_lengths(&dimensions_known, mechanism)?;
         let dimensions = dimensions_known.resolve(mechanism)?;
         print(&known(mechanism, &dimensions))?;
         if dimensions_known.are_given() {

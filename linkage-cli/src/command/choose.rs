@@ -29,7 +29,12 @@ impl Chosen {
 
     /// All mechanisms that are meant; mistakes in any of the file are reported.
     pub(super) fn all(&self) -> Result<Vec<Mechanism>, Failure> {
-        let mut all = checked(&Source::read(&self.file)?)?;
+        self.all_of(&Source::read(&self.file)?)
+    }
+
+    /// The mechanisms of a text of the file that are meant.
+    pub(super) fn all_of(&self, source: &Source) -> Result<Vec<Mechanism>, Failure> {
+        let mut all = checked(source)?;
         let Some(name) = &self.mechanism else {
             return Ok(all);
         };
@@ -87,6 +92,17 @@ impl Chosen {
             self.file.display()
         ))
     }
+}
+
+/// All mistakes of a text without colours, as a page shows them; empty if there are none.
+pub(super) fn mistakes(source: &Source) -> String {
+    let calls = source.calls().iter();
+    let all = calls.flat_map(|call| {
+        let checked = check_all(call.tokens.clone()).into_iter();
+        let faulty = checked.filter(|checked| !checked.messages.is_empty());
+        faulty.map(|checked| rendered(source, call, &checked, false))
+    });
+    all.collect()
 }
 
 /// All mechanisms of a text; messages about them are printed.

@@ -1,28 +1,29 @@
 //! `linkage page`: the report of all functions.
 
-use std::collections::BTreeSet;
-use std::fs;
+mod banner;
+mod functionless;
+mod report;
+mod watched;
+
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
-use std::thread::sleep;
-use std::time::{Duration, SystemTime, UNIX_EPOCH};
+use std::time::{SystemTime, UNIX_EPOCH};
 
 use clap::{Args, value_parser};
-use linkage_compiler::shortened;
-use linkage_engine::Mechanism;
-use linkage_js::description;
+use linkage_engine::{Mechanism, Source};
 use linkage_report::{Index, Report, ReportError};
-use linkage_runtime::Programs;
 
-use super::choose::Chosen;
-use super::declaration::declaration;
+use super::arguments_given::{refuse_unknown, takes};
+use super::choose::{Chosen, mistakes};
 use super::output::print;
-use super::range;
 use super::replaced::refuse_page;
-use super::sweep::{arguments, positions, still};
+use super::sweep::runs;
 use super::values::{Dimensions, parts};
-use crate::failure::{Failure, known_names};
+use crate::failure::Failure;
 use crate::normal::normal;
+use functionless::with_functions;
+use report::{ReportOptions, report};
+use watched::{Stamp, follow};
 
 /// Options of the command.
 #[derive(Debug, Args)]
@@ -48,78 +49,111 @@ pub(super) struct Options {
     open: bool,
 }
 
-/// Bytes for each number, about: the number, and its texts in the page and in all files.
-const BYTES: usize = 100;
-
-/// Interval between checks of a watched file.
-const LOOK_EVERY: Duration = Duration::from_millis(200);
-
 /// Writes the page, again and again if the file is watched.
 pub(super) fn run(options: &Options) -> Result<(), Failure> {
+    let folder = options
+        .output
+        .clone()
+        .unwrap_or_else(|| PathBuf::from(format!("{}_page", options.title())));
+    if options.watch {
+        return watch(options, &folder);
+    }
+    write(options, &folder)?;
+    match options.open {
+        true => open(&folder.join("index.html")),
+        false => Ok(()),
+    }
+}
+
+/// Writes the page after each change of the file. Mistakes are reported, also on the open page.
+fn watch(options: &Options, folder: &Path) -> Result<(), Failure> {
     let file = options.chosen.file();
-    let folder = options.output.clone().unwrap_or_else(|| {
-        let stem = file.file_stem().unwrap_or_default().to_string_lossy();
-        PathBuf::from(format!("{stem}_page"))
-    });
-    let page = folder.join("index.html");
-    let mut seen = changed(file);
-    let written = write(options, &folder);
-    if options.open && written.is_ok() {
-        open(&page)?;
-    }
-    if !options.watch {
-        return written;
-    }
-    let tell = |written: Result<(), Failure>| {
-        if let Err(failure) = written {
+    let stamp = Stamp::of_file(file);
+    let mut pages = vec![folder.to_owned()];
+    let mut put = || match write(options, folder) {
+        Ok(written) => pages = written,
+        Err(failure) => {
             eprint!("{failure}");
+            if let Err(error) = banner::show(&pages, file, &failure) {
+                eprint!("{}", failure_of_report(error));
+            }
         }
     };
-    tell(written);
-    loop {
-        sleep(LOOK_EVERY);
-        let now = changed(file);
-        // A file that an editor is just rewriting is not there for a moment.
-        if now.is_some() && now != seen {
-            seen = now;
-            tell(write(options, &folder));
-        }
+    if refuse_page(folder, file).is_ok() {
+        let waiting = banner::write_waiting_page(folder, &options.title(), milliseconds());
+        waiting.map_err(failure_of_report)?;
+    }
+    put();
+    if options.open {
+        open(&folder.join("index.html"))?;
+    }
+    let is_sound = || Source::read(file).is_ok_and(|source| mistakes(&source).is_empty());
+    follow(file, stamp, is_sound, put)
+}
+
+impl Options {
+    /// The name of the file without its ending.
+    fn title(&self) -> String {
+        let stem = self.chosen.file().file_stem().unwrap_or_default();
+        stem.to_string_lossy().into_owned()
     }
 }
 
-/// When a file was changed last, and how long it is.
-fn changed(file: &Path) -> Option<(SystemTime, u64)> {
-    let data = fs::metadata(file).ok()?;
-    Some((data.modified().ok()?, data.len()))
-}
-
-fn write(options: &Options, folder: &Path) -> Result<(), Failure> {
+/// Writes the page, and returns the folders of its parts.
+fn write(options: &Options, folder: &Path) -> Result<Vec<PathBuf>, Failure> {
     refuse_page(folder, options.chosen.file())?;
-    let mut all = moving(options.chosen.all()?)?;
+    let source = Source::read(options.chosen.file())?;
+    let mut all = moving(options.chosen.all_of(&source)?)?;
+    let notes = add_functions(&source, &mut all);
+    options.dimensions.known_to_any(&all)?;
+    check_arguments(&all, &options.at)?;
     for mechanism in &mut all {
-        options.dimensions.tolerate(mechanism)?;
+        options.dimensions.known_to(mechanism).tolerate(mechanism)?;
     }
-    let reports: Vec<Report> = all
-        .iter()
-        .map(|mechanism| report(options, mechanism))
-        .collect::<Result<_, _>>()?;
-    match &reports[..] {
-        [only] => {
-            only.write(folder).map_err(failure_of_report)?;
-        }
-        several => {
-            let title = options.chosen.file().file_stem().unwrap_or_default();
-            let mut index = Index::new(title.to_string_lossy());
-            for (report, mechanism) in several.iter().zip(&all) {
-                report
-                    .write(folder.join(mechanism.name()))
-                    .map_err(failure_of_report)?;
-                index = index.report(mechanism.name(), report);
-            }
-            index.write(folder).map_err(failure_of_report)?;
-        }
+    let report_options = ReportOptions {
+        file: options.chosen.file(),
+        dimensions: &options.dimensions,
+        at: &options.at,
+        steps: options.steps,
+        version: options.watch.then(milliseconds),
+    };
+    let reports = all.iter().zip(notes).map(|(mechanism, note)| {
+        let report = report(&report_options, mechanism)?;
+        Ok::<_, Failure>(note.into_iter().fold(report, Report::note))
+    });
+    let reports: Vec<Report> = reports.collect::<Result<_, _>>()?;
+    let named = all.iter().map(Mechanism::name).zip(reports).collect();
+    let written = write_reports(folder, named, &options.title(), report_options.version);
+    let folders = written.map_err(failure_of_report)?;
+    print(&format!("{}\n", folder.join("index.html").display()))?;
+    Ok(folders)
+}
+
+/// Writes one report into the folder, or several into folders in it, with a page that leads to
+/// them. Returns all folders with a page.
+fn write_reports(
+    folder: &Path,
+    named: Vec<(&str, Report)>,
+    title: &str,
+    version: Option<u64>,
+) -> Result<Vec<PathBuf>, ReportError> {
+    let mut folders = vec![folder.to_owned()];
+    if let [(_, only)] = &named[..] {
+        only.write(folder)?;
+        return Ok(folders);
     }
-    print(&format!("{}\n", folder.join("index.html").display()))
+    let mut index = Index::new(title);
+    for (name, report) in named {
+        let report = report.index(title);
+        report.write(folder.join(name))?;
+        folders.push(folder.join(name));
+        index = index.report(name, &report);
+    }
+    if let Some(version) = version {
+        index = index.version(version);
+    }
+    index.write(folder)?;
+    Ok(folders)
 }
 
 fn failure_of_report(error: ReportError) -> Failure {
@@ -144,103 +178,32 @@ fn moving(all: Vec<Mechanism>) -> Result<Vec<Mechanism>, Failure> {
     }
 }
 
-/// All functions over the range of the first input.
-fn report(options: &Options, mechanism: &Mechanism) -> Result<Report, Failure> {
-    let input = &mechanism.inputs()[0];
-    let assembly = range::assembled(&options.dimensions, mechanism)?;
-    let positions = positions(mechanism, input, [None; 2], options.steps)?;
-    let columns = mechanism
-        .headings()
-        .iter()
-        .map(|heading| heading.columns.len());
-    let positions = positions.held(columns.sum(), BYTES)?;
-    let description = description(mechanism.name(), mechanism.compiled());
-    let mut report = Report::new(mechanism.name(), input, &positions)
-        .about(first_paragraph(&mechanism.compiled().documentation))
-        .structure(mechanism.structure())
-        .modes(assembly.modes())
-        .dimensions_listed(mechanism.parameters(), assembly.dimensions())
-        .programs(Programs {
-            description: Box::leak(description.into_boxed_str()),
-        });
-    if options.watch {
-        report = report.version(milliseconds());
-    }
-    if let Some(text) = declaration(options.chosen.file(), mechanism.name()) {
-        report = report.source(text);
-    }
-    known(mechanism, &options.at)?;
-    still(input, &options.at)?;
-    let mut drawn = false;
-    for (function, heading) in mechanism.headings().iter().enumerate() {
-        let again = drawn && heading.picture.is_some();
-        let argument_index = heading
-            .arguments
-            .iter()
-            .position(|argument| *argument == input.name);
-        let arguments_given = arguments(
-            mechanism,
-            function,
-            &given(mechanism, function, &options.at),
-        )?;
-        let why = match (again, argument_index, arguments_given.complete()) {
-            (false, Some(argument_index), Ok(arguments_given)) => {
-                drawn |= heading.picture.is_some();
-                let mut slices: Vec<&[f64]> = arguments_given.chunks(1).collect();
-                slices[argument_index] = &positions;
-                report = report.table(&assembly.calls(function, &slices));
-                let beside = heading.arguments.iter().zip(&arguments_given);
-                for (&name, &value) in beside.filter(|(name, _)| **name != input.name) {
-                    report = report.argument(name, value);
-                }
-                continue;
-            }
-            (true, ..) => "there is one drawing".to_owned(),
-            (_, None, _) => format!("it does not take `{}`", input.name),
-            (.., Err(why)) => why,
-        };
-        let note = format!("`{}` is not shown: {why}", heading.function);
+/// Gives mechanisms without functions those for their unknowns and their drawing; returns the note
+/// about each.
+fn add_functions(source: &Source, all: &mut [Mechanism]) -> Vec<Option<String>> {
+    let note = |mechanism: &mut Mechanism| {
+        if !mechanism.headings().is_empty() {
+            return None;
+        }
+        *mechanism = with_functions(source, mechanism)?;
+        let note = "there are no functions: the page shows all unknowns";
         eprintln!("note: {}: {note}", mechanism.name());
-        report = report.note(note);
-    }
-    Ok(report)
+        Some(note.to_owned())
+    };
+    all.iter_mut().map(note).collect()
 }
 
-/// Checks that some function takes each of the given arguments.
-fn known(mechanism: &Mechanism, all: &[String]) -> Result<(), Failure> {
-    let takes = mechanism
-        .headings()
-        .iter()
-        .flat_map(|heading| heading.arguments);
-    let takes: BTreeSet<&str> = takes.copied().collect();
-    for given in all {
+/// Fails at the first argument that no function takes, or that runs wherever it is taken.
+fn check_arguments(all: &[Mechanism], given: &[String]) -> Result<(), Failure> {
+    refuse_unknown(all, given)?;
+    for given in given {
         let (name, _) = parts("--at", given)?;
-        if !takes.contains(name) {
-            return Err(Failure::Told(format!(
-                "no function of {} takes `{}`; they take {}",
-                mechanism.name(),
-                shortened(name),
-                known_names(name, takes)
-            )));
+        let mut taking = all.iter().filter(|mechanism| takes(mechanism, name));
+        if taking.all(|mechanism| mechanism.inputs()[0].name == name) {
+            return Err(runs(name));
         }
     }
     Ok(())
-}
-
-/// The given arguments that a function takes: others may be for other functions.
-fn given(mechanism: &Mechanism, function: usize, all: &[String]) -> Vec<String> {
-    let takes = mechanism.headings()[function].arguments;
-    let known = all.iter().filter(|given| {
-        let name = given.split_once('=').map_or("", |pair| pair.0.trim());
-        takes.contains(&name)
-    });
-    known.cloned().collect()
-}
-
-fn first_paragraph(text: &str) -> String {
-    let lines = text.lines().map(str::trim);
-    let lines: Vec<&str> = lines.take_while(|line| !line.is_empty()).collect();
-    lines.join(" ")
 }
 
 /// A number that later versions exceed.

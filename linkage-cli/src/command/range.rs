@@ -2,6 +2,7 @@
 //! kind, with the options under them.
 
 use annotate_snippets::{AnnotationKind, Level, Renderer, Snippet};
+use linkage_compiler::{length_as_written, shortened};
 use linkage_engine::{Assembly, Mechanism};
 use linkage_runtime::RangeReport;
 
@@ -15,6 +16,7 @@ pub(super) fn assembled<'m>(
     given: &Dimensions,
     mechanism: &'m Mechanism,
 ) -> Result<Assembly<'m>, Failure> {
+    warn_of_negative_lengths(given, mechanism)?;
     let assembly = mechanism.assemble(&given.resolve(mechanism)?)?;
     if given.are_given() {
         eprint!(
@@ -25,13 +27,37 @@ pub(super) fn assembled<'m>(
     Ok(assembly)
 }
 
+/// Warns of given lengths of links that are negative.
+pub(super) fn warn_of_negative_lengths(
+    given: &Dimensions,
+    mechanism: &Mechanism,
+) -> Result<(), Failure> {
+    let values = given.resolve(mechanism)?;
+    let parameters = mechanism.compiled().parameters.iter();
+    let scalars = parameters.flat_map(|parameter| {
+        let scalars = parameter.scalars.iter();
+        scalars.map(|scalar| (scalar, parameter.is_link_length))
+    });
+    for ((scalar, is_link_length), value) in scalars.zip(values) {
+        // The compiler has warned of the values of the file.
+        if is_link_length && value < 0.0 && value != scalar.nominal {
+            let (value, unit) = length_as_written(value, &scalar.unit);
+            let fact = format!(
+                "`{} = {value}{unit}` is negative, but it is the length of a link",
+                shortened(&scalar.name)
+            );
+            let title = format!(
+                "{}: {fact}\nhelp: write a positive length",
+                mechanism.name()
+            );
+            eprint!("{}", titled(&Level::WARNING, &title, &given.options()));
+        }
+    }
+    Ok(())
+}
+
 /// All messages of a report, with the options that set the dimensions under each.
 pub(super) fn rendered(level: &Level, given: &Dimensions, report: &RangeReport) -> String {
-    let renderer = match is_coloured() {
-        true => Renderer::styled(),
-        false => Renderer::plain(),
-    };
-    let options = given.options();
     let mut text = match report.unchecked {
         Some(why) => format!("note: {}: {why}\n", report.mechanism),
         None => String::new(),
@@ -41,12 +67,20 @@ pub(super) fn rendered(level: &Level, given: &Dimensions, report: &RangeReport) 
             "{}: {}\nhelp: {}",
             report.mechanism, message.fact, message.help
         );
-        let snippet = Snippet::source(&options)
-            .path("command line")
-            .annotation(AnnotationKind::Primary.span(0..options.len()));
-        let title = level.clone().primary_title(title);
-        text += &renderer.render(&[title.element(snippet)]);
-        text += "\n\n";
+        text += &titled(level, &title, &given.options());
     }
     text
+}
+
+/// A message with the options that it is about, and a blank line.
+fn titled(level: &Level, title: &str, options: &str) -> String {
+    let renderer = match is_coloured() {
+        true => Renderer::styled(),
+        false => Renderer::plain(),
+    };
+    let snippet = Snippet::source(options)
+        .path("command line")
+        .annotation(AnnotationKind::Primary.span(0..options.len()));
+    let title = level.clone().primary_title(title);
+    renderer.render(&[title.element(snippet)]) + "\n\n"
 }

@@ -21,8 +21,8 @@ pub(super) struct RunningInput {
     /// The input that runs from one position to the next; the first one of the function by default
     #[arg(long, value_name = "INPUT", value_parser = normal)]
     over: Option<String>,
-    /// Another argument of the function, as `omega=20rad/s`; inputs stand at their reference by
-    /// default
+    /// Another argument of the function, as `omega=20rad/s`; by default inputs have their reference
+    /// and loads the value of their declaration
     #[arg(long = "at", value_name = "NAME=VALUE", value_parser = normal)]
     at: Vec<String>,
 }

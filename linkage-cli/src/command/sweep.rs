@@ -4,6 +4,7 @@ use linkage_compiler::shortened;
 use linkage_engine::Mechanism;
 use linkage_runtime::Input;
 
+use super::arguments_given::help_with_rate;
 use super::memory::Held;
 use super::values::{number, parts};
 use crate::failure::{Failure, known_names};
@@ -28,8 +29,8 @@ impl Given {
     }
 }
 
-/// The arguments of a function: inputs at their references, unless `given` has another value.
-/// Arguments that are no inputs must be given.
+/// The arguments of a function: inputs at their references and loads as declared, unless `given`
+/// has another value. Speeds and accelerations must be given.
 pub(super) fn arguments(
     mechanism: &Mechanism,
     function: usize,
@@ -39,12 +40,7 @@ pub(super) fn arguments(
     let places = &mechanism.compiled().functions[function].arguments;
     let mut values: Vec<Option<f64>> = places
         .iter()
-        .map(|&argument_index| {
-            mechanism
-                .inputs()
-                .get(argument_index)
-                .map(|input| input.reference)
-        })
+        .map(|&argument_index| mechanism.default_argument(argument_index))
         .collect();
     for given in given {
         let (name, text) = parts("--at", given)?;
@@ -54,10 +50,11 @@ pub(super) fn arguments(
             .position(|argument| *argument == name)
         else {
             return Err(Failure::Told(format!(
-                "`{}` does not take `{}`; it takes {}",
+                "`{}` does not take `{}`; it takes {}{}",
                 heading.function,
                 shortened(name),
-                known_names(name, heading.arguments.iter().copied())
+                known_names(name, heading.arguments.iter().copied()),
+                help_with_rate(name)
             )));
         };
         let (_, unit) = mechanism.argument(places[index]);
@@ -115,12 +112,17 @@ pub(super) fn still(running: &Input, given: &[String]) -> Result<(), Failure> {
     for given in given {
         let (name, _) = parts("--at", given)?;
         if name == running.name {
-            return Err(Failure::Told(format!(
-                "`{name}` runs from one position to the next and cannot be given by `--at`, too"
-            )));
+            return Err(runs(name));
         }
     }
     Ok(())
+}
+
+/// Returns the message for a given value of the input that runs.
+pub(super) fn runs(name: &str) -> Failure {
+    Failure::Told(format!(
+        "`{name}` runs from one position to the next and cannot be given by `--at`, too"
+    ))
 }
 
 /// Evenly spaced values of an input; a single number that is none if nothing runs.

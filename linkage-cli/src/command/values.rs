@@ -210,10 +210,11 @@ fn quantity(
                     tolerance: is_tolerated.then_some(scalar.tolerance),
                 }),
                 false => Err(wrong(&format!(
-                    "this is {}, `{}` is {}",
+                    "this is {}, `{}` is {}{}",
                     in_words(&scalar.unit),
                     shortened(name),
-                    in_words(unit)
+                    in_words(unit),
+                    help_with_unit(text, &scalar.unit, unit)
                 ))),
             }
         })
@@ -248,6 +249,20 @@ fn wrong(name: &str, text: &str) -> impl Fn(&str) -> Failure {
     let given = format!("{name}={text}");
     let given = shortened(&given).into_owned();
     move |why| Failure::Told(format!("`{given}`: {why}"))
+}
+
+/// Returns the help for a number whose unit is missing.
+fn help_with_unit(text: &str, found: &str, wanted: &str) -> String {
+    match (found, wanted, text.parse::<f64>()) {
+        ("", "rad", Ok(_)) => {
+            format!("\nhelp: write `{text}deg` for degrees, `{text}rad` for radians")
+        }
+        // A unit like `N/mm` is written in another way.
+        ("", wanted, Ok(_)) if wanted.chars().all(char::is_alphabetic) => {
+            format!("\nhelp: write `{text}{wanted}`")
+        }
+        _ => String::new(),
+    }
 }
 
 fn in_words(unit: &str) -> String {

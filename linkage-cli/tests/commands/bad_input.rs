@@ -31,7 +31,7 @@ fn bad_input_is_told_in_one_message() {
         ),
         (
             table(&["--set", "crank=30"]),
-            "error: `crank=30`: this is a number, `crank` is in mm\n",
+            "error: `crank=30`: this is a number, `crank` is in mm\nhelp: write `30mm`\n",
         ),
         (
             table(&["--set", "crank=30deg"]),
@@ -51,7 +51,13 @@ fn bad_input_is_told_in_one_message() {
         ),
         (
             table(&["--at", "omega=3"]),
-            "error: `stroke` does not take `omega`; it takes `phi`\n",
+            "error: `stroke` does not take `omega`; it takes `phi`\n\
+             help: speed and acceleration of an input are declared with it, `input phi = ... at omega, epsilon`, and listed by functions\n",
+        ),
+        (
+            table(&["--from", "90"]),
+            "error: `phi=90`: this is a number, `phi` is an angle, `30deg`\n\
+             help: write `90deg` for degrees, `90rad` for radians\n",
         ),
         (
             table(&["--at", "phi=3deg"]),

@@ -1,9 +1,11 @@
 //! The program as its user meets it: what it prints, which files it leaves, its exit status.
 
+mod arguments;
 mod assemblies;
 mod bad_input;
 mod c;
 mod drawings;
+mod drawn;
 mod files;
 mod js;
 mod kept;
@@ -18,7 +20,9 @@ mod rust;
 mod st;
 mod start;
 mod tables;
+mod templates;
 mod time;
+mod watched;
 
 use std::fs;
 use std::path::{Path, PathBuf};

@@ -189,3 +189,25 @@ fn circuits_do_not_depend_on_the_beginning_of_a_turn() {
         );
     }
 }
+
+#[test]
+fn negative_lengths_are_warned_of() {
+    let folder = folder("ranges_negative");
+    printed(&folder, &["new", "own.mech"]);
+    let table = ["table", "own.mech", "stroke", "--steps", "1", "--set"];
+    // The offset of the guide has a sign.
+    printed(&folder, &[&table[..], &["offset=-5mm"]].concat());
+    for command in [
+        &[&table[..], &["crank=-40mm"]].concat()[..],
+        &["page", "own.mech", "--set", "crank=-40mm"],
+        &["check", "own.mech", "--set", "crank=-40mm"],
+        &["assemblies", "own.mech", "--set", "crank=-40mm"],
+        &["circuits", "own.mech", "--set", "crank=-40mm"],
+        &["c", "own.mech", "--set", "crank=-40mm"],
+    ] {
+        let output = linkage(&folder, command);
+        let said = String::from_utf8_lossy(&output.stderr);
+        let expected = "warning: SliderCrank: `crank = -40mm` is negative, but it is the length of a link\n         help: write a positive length\n --> command line:1:1\n";
+        assert_eq!(said.matches(expected).count(), 1, "{command:?}: {said}");
+    }
+}

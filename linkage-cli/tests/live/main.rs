@@ -2,12 +2,15 @@
 
 mod assemblies;
 mod changes;
+mod dxf;
 mod figures;
 mod gaps;
 mod hands;
 mod many;
 mod pages;
 mod quotients;
+mod shown;
 mod strokes;
+mod templates;
 mod typed;
 mod values;

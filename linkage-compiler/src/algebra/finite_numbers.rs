@@ -5,6 +5,9 @@ use crate::algebra::nominal::Nominal;
 use crate::diagnostic::Reporter;
 use crate::model::{Expr, Mechanism};
 
+const NOT_FINITE: &str =
+    "look for a division by zero, or a root or an arc function out of its range";
+
 impl Nominal {
     /// Reports values that are not finite and tolerances below zero.
     pub(crate) fn check(&self, mechanism: &Mechanism, reporter: &mut Reporter) {
@@ -13,7 +16,7 @@ impl Nominal {
                 reporter.error_with_help(
                     expr.origin,
                     format!("the {what} of `{name}` is not a finite number"),
-                    "look for a division by zero, or a root or an arc function out of its range",
+                    NOT_FINITE,
                 );
             }
         };
@@ -46,6 +49,18 @@ impl Nominal {
         for (unknown, estimate) in mechanism.unknowns.iter().zip(&self.estimates) {
             if let Some(written) = &unknown.estimate {
                 finite(written, "estimate", &unknown.name, estimate);
+            }
+        }
+        for (argument, value) in mechanism.arguments.iter().zip(&self.arguments) {
+            if let (Some(declared), Some(value)) = (&argument.reference, value)
+                && !value.is_finite()
+            {
+                // No error: calls of the macro give the value, and only the command needs it.
+                reporter.warning_with_help(
+                    declared.origin,
+                    format!("the value of `{}` is not a finite number", argument.name),
+                    NOT_FINITE,
+                );
             }
         }
         for (origin, name) in negative {

@@ -8,7 +8,7 @@ use crate::algebra::names::{Angle, Bound, Names};
 use crate::algebra::translate::Translate;
 use crate::algebra::value::Value;
 use crate::algebra::{scalar, translate};
-use crate::model::{Expr, ExprKind, Mechanism, Name, Type};
+use crate::model::{Dimension, Expr, ExprKind, Mechanism, Name, Type};
 
 /// Values known at compile time.
 #[derive(Clone, Debug, Default)]
@@ -17,6 +17,8 @@ pub(crate) struct Nominal {
     pub(crate) tolerances: Vec<f64>,
     pub(crate) inputs: Vec<f64>,
     pub(crate) ranges: Vec<Option<(f64, f64)>>,
+    /// The declared value of each argument; `None` for a speed or an acceleration.
+    pub(crate) arguments: Vec<Option<f64>>,
     /// Components of each unknown's start estimate; zeros where none is given, until the loops are
     /// closed.
     pub(crate) estimates: Vec<Vec<f64>>,
@@ -61,6 +63,11 @@ impl Nominal {
             let range = input.range.as_ref();
             let range = range.map(|(low, high)| (number(low), number(high)));
             nominal.ranges.push(range);
+        }
+        for argument in &mechanism.arguments {
+            let declared = argument.reference.as_ref();
+            let declared = declared.map(|value| scalar_number(names, value, argument.dimension));
+            nominal.arguments.push(declared);
         }
         for (unknown, item) in mechanism.unknowns.iter().enumerate() {
             let wanted = Wanted {
@@ -176,6 +183,12 @@ fn numbers(names: &mut Names<'_>, expr: &Expr, wanted: Wanted, parameters: &[f64
         numbers.resize(wanted.count, numbers[0]);
     }
     numbers
+}
+
+/// The declared value of an argument, in the unit of its dimension.
+fn scalar_number(names: &mut Names<'_>, expr: &Expr, dimension: Dimension) -> f64 {
+    let unit = &Type::Scalar(dimension);
+    numbers(names, expr, Wanted { count: 1, unit }, &[])[0]
 }
 
 /// Numbers as they are written, if an expression is nothing else, in a unit of this scale: not

@@ -3,6 +3,7 @@
 mod directions;
 mod follower_names;
 mod motion_laws;
+mod negative_lengths;
 mod unused;
 mod values;
 
@@ -30,6 +31,7 @@ pub(crate) fn dimensions(names: &mut Names, reporter: &mut Reporter) -> Option<N
     if reporter.errors() == before {
         values::check_values(mechanism, &nominal, reporter);
     }
+    negative_lengths::warn_of_negative_lengths(mechanism, &nominal, reporter);
     unused::warn_of_unused(mechanism, &nominal, reporter);
     Some(nominal)
 }

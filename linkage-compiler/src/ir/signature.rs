@@ -18,6 +18,8 @@ pub struct Parameter {
     pub documentation: String,
     /// A number or a vector.
     pub shape: Shape,
+    /// True if it is the length of a link, which is hardly meant to be negative.
+    pub is_link_length: bool,
     /// Its scalars; programs count these through all parameters.
     pub scalars: Vec<Scalar>,
 }
@@ -82,6 +84,8 @@ pub struct Argument {
     pub unit: String,
     /// The quantity that it gives.
     pub role: Role,
+    /// The declared value of a load, in that unit: the default where no other value is given.
+    pub reference: Option<f64>,
 }
 
 /// The quantity that an argument gives.

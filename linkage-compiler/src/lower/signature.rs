@@ -25,7 +25,9 @@ pub(super) fn signature<'m>(
         reference, nominal, ..
     } = at;
     let mechanism = algebra.mechanism;
-    let parameters = mechanism.parameters.iter().map(|parameter| {
+    let link_lengths = mechanism.link_lengths();
+    let parameters = mechanism.parameters.iter().enumerate();
+    let parameters = parameters.map(|(index, parameter)| {
         let shape = Shape::from_type(&parameter.ty);
         let first = parameter.first_scalar.0;
         let scalars = (first..first + shape.width()).map(|index| {
@@ -42,6 +44,7 @@ pub(super) fn signature<'m>(
             documentation: parameter.documentation.clone(),
             scalars: scalars.collect(),
             shape,
+            is_link_length: link_lengths.contains(&index),
         }
     });
     let inputs = mechanism.inputs.iter().enumerate();
@@ -59,6 +62,7 @@ pub(super) fn signature<'m>(
         name: argument.name.clone(),
         unit: argument.dimension.unit(mechanism.unit),
         role: role(mechanism, index),
+        reference: nominal.arguments[index].filter(|value| value.is_finite()),
     });
     let unknowns = mechanism.unknowns.iter().map(|unknown| {
         let dimension = unknown.ty.dimension();

@@ -8,7 +8,7 @@ use crate::picture::layout::Layout;
 use crate::picture::marks::{Mean, Segment, Shape, Spot, Term, Title, Turn};
 use crate::picture::point_or_vector::Moves;
 use crate::picture::sketch::Sketch;
-use crate::picture::statement::Statement;
+use crate::picture::statement::{ASIDE, Statement};
 use crate::picture::terms::MANY_TERMS;
 use crate::picture::{expressions, frames, layout, parts, sketch, terms, titles, weights};
 
@@ -153,6 +153,7 @@ fn step<'m>(
             shape,
             step,
             frames: statement.frames.to_vec(),
+            is_aside: statement.remoteness == ASIDE,
         });
     }
     to

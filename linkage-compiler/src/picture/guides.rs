@@ -1,9 +1,12 @@
 //! Lines along which points slide.
 
-use linkage_symbolic::Vn;
+use linkage_symbolic::program::Source;
+use linkage_symbolic::{Ex, NodeId, SymbolId, Vn};
 
 use crate::algebra::Algebra;
+use crate::algebra::names::Bound;
 use crate::ir::GuideOn;
+use crate::model::Dimension;
 use crate::picture::layout::Layout;
 use crate::picture::links::Links;
 use crate::picture::marks::{Line, Segment, Shape, Slide, Spot};
@@ -61,7 +64,8 @@ impl<'m> Guides<'m> {
         let mut candidates = Vec::new();
         for segment in segments.iter() {
             let (from, to) = (samples.same[segment.from], samples.same[segment.to]);
-            if from != to && !links::is_rigid(segment, samples) {
+            let is_written = !segment.is_aside || has_written_length(algebra, segment);
+            if from != to && is_written && !links::is_rigid(segment, samples) {
                 candidates.extend(slide(algebra, layout, points, segment, samples));
             }
         }
@@ -133,6 +137,31 @@ impl<'m> Guides<'m> {
             is_cylinder: candidate.is_distance || pushes,
         });
     }
+}
+
+/// Returns true if an unknown or an input is a length of the step. The length of any other step is
+/// a formula, `(0, arm * sin(phi))`: it is the path of a point, and tells of no slide.
+fn has_written_length(algebra: &Algebra, segment: &Segment) -> bool {
+    let lengths = algebra.names.bound.iter().flat_map(|bound| match bound {
+        Bound::Lengths(symbols) => &symbols[..],
+        Bound::Angle(_) => &[],
+    });
+    let lengths: Vec<SymbolId> = lengths.map(|(symbol, _)| *symbol).collect();
+    let components: Vec<NodeId> = segment.step.iter().map(Ex::id).collect();
+    let inputs = &algebra.mechanism.inputs;
+    algebra
+        .graph
+        .symbols_of(&components)
+        .into_iter()
+        .any(|symbol| {
+            let is_length_input = match algebra.graph.symbol(symbol).source {
+                Some(Source::Input(index)) => inputs
+                    .get(index)
+                    .is_some_and(|input| input.dimension.fits(Dimension::LENGTH)),
+                _ => false,
+            };
+            is_length_input || lengths.contains(&symbol)
+        })
 }
 
 /// The guide of a segment that changes its length.

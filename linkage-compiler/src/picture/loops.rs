@@ -9,14 +9,14 @@ use crate::picture::layout::Layout;
 use crate::picture::marks::{Asked, Shape, Term, Title};
 use crate::picture::point_or_vector::Roles;
 use crate::picture::sketch::Sketch;
-use crate::picture::statement::Statement;
+use crate::picture::statement::{ASIDE, Statement};
 use crate::picture::{
     bodies, chains, expressions, frames, layout, parts, planes, sketch, terms, titles, weights,
 };
 
 /// UniqueNames in derived quantities stand behind those in loops, and where no loop uses the
 /// quantity behind all others.
-const LET: [u8; 2] = [3, 6];
+const LET: [u8; 2] = [3, ASIDE];
 
 /// Collects all that the program says of points and links. Returns the loops that are not drawn, by
 /// number from 1.

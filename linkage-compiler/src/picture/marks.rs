@@ -39,6 +39,8 @@ pub(super) struct Segment<'m> {
     pub(super) step: Vn<'m>,
     /// The coordinates in which it is written.
     pub(super) frames: Frames,
+    /// True for a step of a derived quantity that no loop uses.
+    pub(super) is_aside: bool,
 }
 
 #[derive(Clone, Copy, Debug)]

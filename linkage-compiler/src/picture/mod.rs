@@ -118,16 +118,16 @@ pub(crate) fn find<'m>(
             || samples.is_fixed(point)
             || needed.contains(&point)
     });
-    if links.all.is_empty() && guides.all.is_empty() {
+    let mut found = names::named(
+        algebra, dimension, &sketch, &samples, &links, &guides, &ownership,
+    );
+    if found.picture.points.is_empty() {
         reporter.error_with_help(
             asked.origin,
             "there is nothing to draw: the loops tell of no link",
             "name the points that links join: `picture([a, b], [b, c, d])`",
         );
     }
-    let mut found = names::named(
-        algebra, dimension, &sketch, &samples, &links, &guides, &ownership,
-    );
     // Who lists links tells of what loops do not.
     if asked.links.is_empty() {
         found.picture.undrawn = undrawn;

@@ -44,6 +44,7 @@ impl<'m> Sketch<'m> {
                 shape,
                 step: self.points[from].step_to(&self.points[to]),
                 frames: frames.to_vec(),
+                is_aside: false,
             });
         }
     }

@@ -1,5 +1,8 @@
 //! The statement of the program that is drawn.
 
+/// Names in derived quantities that no loop uses are behind all others.
+pub(super) const ASIDE: u8 = 6;
+
 /// A statement of the program, by its coordinates and the rank of its names.
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct Statement<'f> {

@@ -8,6 +8,7 @@ use crate::builder::Report;
 use crate::drawing::View;
 use crate::positioned_picture;
 use crate::positioned_picture::PositionedPicture;
+use crate::traced_points::traced_points;
 use linkage_core::{GuideOn, PointKind};
 
 /// The number of steps across a drawing, finer than a screen shows them.
@@ -92,7 +93,7 @@ impl<'a> Drawn<'a> {
             .rails(rows)
             .into_iter()
             .map(|ends| ends.map(|point| point.map(rounded)));
-        let traces = positioned_picture::traced_points(self.report, self.shown.picture);
+        let traces = traced_points(self.report, &self.shown);
         json!({
             "points": all.collect::<Vec<_>>(),
             "links": links.collect::<Vec<_>>(),
@@ -109,7 +110,7 @@ impl<'a> Drawn<'a> {
             .iter()
             .flat_map(|link| link.points.iter().copied());
         let sliders = picture.guides.iter().map(|guide| guide.slider);
-        let traced = positioned_picture::traced_points(self.report, picture);
+        let traced = traced_points(self.report, &self.shown);
         let mut all: Vec<usize> = of_links.chain(sliders).chain(traced).collect();
         all.sort_unstable();
         all.dedup();

@@ -11,6 +11,7 @@ use crate::builder::Report;
 use crate::palette::Palette;
 use crate::positioned_picture::{PositionedPicture, drawn_names, point_named};
 use crate::tables::Saved;
+use crate::traced_points::traced_points;
 use crate::{check, palette, positioned_picture, tables};
 use linkage_core::Meaning;
 use linkage_formats::{Mistake, ReportError};
@@ -56,7 +57,7 @@ impl<'a> Drawing<'a> {
         Ok(Self {
             report,
             shown,
-            traces: positioned_picture::traced_points(report, shown.picture),
+            traces: traced_points(report, &shown),
             hues: palette::palette(report),
             position: None,
             ghosts: 0,

@@ -3,7 +3,7 @@
 use linkage_engine::{Mechanism, Table};
 use linkage_printed::slider_crank::SliderCrank;
 
-const TEXT: &str = include_str!("../../../linkage-cli/src/command/slider_crank.mech");
+const TEXT: &str = include_str!("../../../linkage-cli/src/templates/slider.mech");
 
 #[test]
 fn the_module_has_the_numbers_of_its_text() {

@@ -37,6 +37,37 @@ fn a_slide_has_a_guide_on_the_frame() {
 }
 
 #[test]
+fn a_point_by_a_formula_slides_on_nothing() {
+    let items = "param arm = 40mm; input phi = 30deg in 0deg..360deg;";
+    let formula = "let c = (5mm, arm * sin(phi)); let e = polar(arm * cos(phi), 20deg);";
+    let loose = "point c: Loose
+        point e: Loose";
+    expect(&format!("{items} {formula}"), "picture()", loose);
+    // A length that drives is written, and so is the guide.
+    expect(
+        "param arm = 40mm; input phi = 30mm in 0mm..50mm; let c = (phi, arm);",
+        "picture()",
+        "point guide of phi: Construction
+         point c: Joint
+         guide phi: c from guide of phi, on frame",
+    );
+    // The formula of a point at which a loop closes is that of a cam.
+    expect(
+        "param arm = 40mm; input phi = 30deg in 0deg..360deg; unknown theta = 80deg;
+         unknown psi = 150deg; let c = (0, arm * sin(phi));
+         loop c + polar(120mm, theta) = (90mm, 60mm) + polar(100mm, psi);",
+        "picture()",
+        "point guide of arm: Construction
+         point c: Joint
+         point theta/psi: Joint
+         point psi/frame: Ground
+         link theta: c, theta/psi
+         link psi: psi/frame, theta/psi
+         guide arm: c from guide of arm, on frame",
+    );
+}
+
+#[test]
 fn guides_belong_to_links_or_turn_by_themselves() {
     let crank = "param crank = 40mm; param base = (0mm, -80mm); input phi = 30deg in 0deg..360deg;
         unknown theta = 70deg; unknown s = 100mm; let pin = polar(crank, phi);";

@@ -10,7 +10,7 @@ use crate::model::symbols::member_names::MemberNames;
 use crate::model::symbols::part_scopes::Parts;
 use crate::model::symbols::sink::Sink;
 use crate::model::symbols::site::{Context, refusal, rule};
-use crate::model::types::is_function;
+use crate::model::types::{Name, is_function};
 use crate::syntax::{is_unit, units_within};
 
 /// Reports an unknown name. `context` is its place; `None` if any name can be used there.
@@ -25,33 +25,59 @@ pub(in crate::model) fn refuse_unknown_name(
     let rule = context.and_then(|context| rule(context.site));
     let may_stand =
         |symbol: &&Symbol| context.is_none_or(|context| refusal(symbol, context).is_none());
-    let names = names
+    let rate = undeclared_rate(names, &text);
+    let known = names
         .symbols
         .iter()
         .filter(may_stand)
         .map(|symbol| symbol.text.as_str())
         .chain(["PI"]);
     let fact = format!("unknown name `{text}`");
-    let help = match nearest(&text, names) {
+    let help = match (nearest(&text, known), rate) {
         _ if members.has(&text) => format!(
             "`{text}` is the name of a body or joint: ask for forces like `reaction(joint)`"
         ),
-        Some(name) => format!("did you mean `{name}`?"),
-        None if is_unit(&text) => {
+        (Some(name), _) => format!("did you mean `{name}`?"),
+        (None, Some(rate)) => rate,
+        (None, None) if is_unit(&text) => {
             format!("write the unit as a factor: `1 * {text}`")
         }
-        None if is_function(&text) => {
+        (None, None) if is_function(&text) => {
             format!("`{text}` is a function: write `{text}(...)`")
         }
-        None => {
+        (None, None) => {
             let help = rule.unwrap_or("declare it in the struct block, for example with `let`");
             match units_within(&text) {
                 Some(units) => format!("{help}; units are written `{units}`"),
+                None if is_constant_of_rust(&text) => {
+                    format!("{help}; names of the Rust program are not known here")
+                }
                 None => help.to_owned(),
             }
         }
     };
     sink.error_with_help(ident.into(), fact, help);
+}
+
+/// Returns the help for the usual name of a speed or an acceleration that no input declares.
+pub(in crate::model) fn undeclared_rate(names: &Names, text: &str) -> Option<String> {
+    let inputs = names.names_of(|name| matches!(name, Name::Input(_)));
+    let input = inputs.first()?;
+    let (rate, declared) = match text {
+        "omega" | "speed" => ("the speed", text.to_owned()),
+        "epsilon" | "alpha" | "acceleration" => ("the acceleration", format!("omega, {text}")),
+        _ => return None,
+    };
+    Some(format!(
+        "{rate} of an input is declared with it, `input {input} = ... at {declared}`, and listed by functions"
+    ))
+}
+
+/// Returns true for names like `CRANK` and `ROD_LENGTH`, which constants of Rust have.
+fn is_constant_of_rust(text: &str) -> bool {
+    let letters = text.chars().filter(char::is_ascii_alphabetic).count();
+    let is_capital = |c: char| c.is_ascii_uppercase() || c.is_ascii_digit() || c == '_';
+    letters > 1 && text.chars().all(is_capital)
 }
 
 /// Reports a name that has another meaning already. Returns true if it has none.

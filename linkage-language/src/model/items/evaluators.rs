@@ -9,7 +9,7 @@ use crate::diagnostic::{OriginId, SourceSpan};
 use crate::model::dispatch::{operands, resolve_expression};
 use crate::model::expression::operators::settle_alone;
 use crate::model::expression::refused_names::{
-    check_new_type, check_reserved, check_type_parameter, report_duplicate,
+    check_new_type, check_reserved, check_type_parameter, report_duplicate, undeclared_rate,
 };
 use crate::model::generated::{ASSEMBLY, COLUMNS, FOLLOWER, Sweep};
 use crate::model::quantity::picture_links::{check_one_picture, resolve_picture};
@@ -174,7 +174,9 @@ fn resolve_listed_input(
     let help = match nearest(&text, others) {
         Some(input) => format!("did you mean `{input}`?"),
         None if inputs.is_empty() => "the mechanism has no input: write `()`".to_owned(),
-        None => format!("inputs are {}", list(&inputs)),
+        None => {
+            undeclared_rate(names, &text).unwrap_or_else(|| format!("inputs are {}", list(&inputs)))
+        }
     };
     sink.error_with_help(ident.into(), fact, help);
     None

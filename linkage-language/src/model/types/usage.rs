@@ -1,6 +1,9 @@
 //! Names that loops, bodies and functions contain.
 
+use std::collections::BTreeSet;
+
 use super::expression::{Expr, ExprKind, MechanicalQuantity};
+use super::function_words::Function;
 use super::mechanics::{Between, Inertia};
 use super::mechanism::{EvaluatorDef, Mechanism, Quantity};
 use super::name::Name;
@@ -45,6 +48,25 @@ impl Mechanism {
                 false
             }
         })
+    }
+
+    /// Returns the parameters that are lengths of links: `polar(crank, phi)` with an angle that is an
+    /// input or an unknown. An offset, as in `polar(offset, theta + 90deg)`, may be negative.
+    pub fn link_lengths(&self) -> BTreeSet<usize> {
+        let loops = self.loops.iter();
+        let sides = loops.flat_map(|equation| [&equation.left, &equation.right]);
+        let lets = self.lets.iter().map(|item| &item.value);
+        let parts = lets.chain(sides).flat_map(Expr::parts);
+        let lengths = parts.filter_map(|part| match &part.kind {
+            ExprKind::Call(Function::Polar, arguments) => {
+                match (arguments[0].as_name()?, arguments[1].as_name()?) {
+                    (Name::Parameter(index), Name::Input(_) | Name::Unknown(_)) => Some(index),
+                    _ => None,
+                }
+            }
+            _ => None,
+        });
+        lengths.collect()
     }
 
     /// All that bodies, joints and loads are written with.

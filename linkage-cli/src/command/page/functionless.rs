@@ -1,0 +1,73 @@
+//! Mechanisms without functions: their page shows all unknowns and the drawing.
+
+use linkage_compiler::check_all;
+use linkage_engine::{Mechanism, Source};
+use proc_macro2::TokenStream;
+
+/// Selections of more inputs than these are not tried, only all inputs together.
+const MOST_INPUTS: usize = 5;
+
+/// Returns a mechanism of a text with functions for its unknowns and its drawing, as far as the
+/// compiler accepts them; `None` if it accepts none.
+pub(super) fn with_functions(source: &Source, mechanism: &Mechanism) -> Option<Mechanism> {
+    let inputs: Vec<&str> = mechanism.inputs().iter().map(|input| input.name).collect();
+    let fields = [
+        ("motion", "AllUnknowns", unknowns(mechanism)),
+        ("picture", "WholePicture", "shape: picture()".to_owned()),
+    ];
+    let fields = fields.into_iter().filter(|(.., fields)| !fields.is_empty());
+    let functions = fields.filter_map(|(name, result, fields)| {
+        let functions = selections(&inputs).into_iter().map(|inputs| {
+            let inputs = inputs.join(", ");
+            format!("fn {name}({inputs}) -> {result} {{ {fields} }}\n")
+        });
+        // A function takes exactly the inputs that its results depend on.
+        functions
+            .into_iter()
+            .find(|function| compiled(source, mechanism.name(), function).is_some())
+    });
+    let functions: String = functions.collect();
+    match functions.is_empty() {
+        true => None,
+        false => compiled(source, mechanism.name(), &functions),
+    }
+}
+
+/// All unknowns as fields of a result.
+fn unknowns(mechanism: &Mechanism) -> String {
+    let unknowns = mechanism.compiled().unknowns.iter();
+    let fields = unknowns.map(|unknown| match unknown.name.contains('.') {
+        // An unknown of a part, `hook.theta`.
+        true => format!("{}: {}", unknown.name.replace('.', "_"), unknown.name),
+        false => unknown.name.clone(),
+    });
+    fields.collect::<Vec<_>>().join(", ")
+}
+
+/// Selections of inputs with the first one, which runs: the largest first.
+fn selections<'a>(inputs: &[&'a str]) -> Vec<Vec<&'a str>> {
+    let [first, others @ ..] = inputs else {
+        return Vec::new();
+    };
+    if inputs.len() > MOST_INPUTS {
+        return vec![inputs.to_vec()];
+    }
+    let mut all: Vec<Vec<&str>> = vec![vec![first]];
+    for other in others {
+        let with = |selection: &Vec<&'a str>| [&selection[..], &[other]].concat();
+        all.extend(all.iter().map(with).collect::<Vec<_>>());
+    }
+    all.sort_by_key(|selection| inputs.len() - selection.len());
+    all
+}
+
+/// The mechanism of this name with further functions, if the compiler accepts them.
+fn compiled(source: &Source, name: &str, functions: &str) -> Option<Mechanism> {
+    let further: TokenStream = format!("impl {name} {{ {functions} }}").parse().ok()?;
+    let mut all = source.calls().iter().flat_map(|call| {
+        let tokens = call.tokens.clone().into_iter().chain(further.clone());
+        check_all(tokens.collect())
+    });
+    let found = all.find(|checked| checked.name.as_deref() == Some(name))?;
+    Mechanism::new(&found).filter(|mechanism| !mechanism.headings().is_empty())
+}
