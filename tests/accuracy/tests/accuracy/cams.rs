@@ -9,7 +9,7 @@ use std::f64::consts::TAU;
 
 use linkage::cam::{Cam, Follower, Stationary};
 
-linkage::mechanism! {
+linkage_interpreted::interpreted! {
     /// A follower's motion.
     struct Plate {
         unit mm;

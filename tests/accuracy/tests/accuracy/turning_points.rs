@@ -4,7 +4,7 @@
 use super::coupled::drive::EYE_NEEDLE;
 use linkage_reference::{Big, Reference, concatenate};
 
-linkage::mechanism! {
+linkage_interpreted::interpreted! {
     struct EyeNeedle {
         unit mm;
         param l12 = 50mm;

@@ -2,7 +2,7 @@
 
 use core::f64::consts::TAU;
 
-linkage::mechanism! {
+linkage_interpreted::interpreted! {
     /// A double crank: coupler and follower turn with the crank.
     struct DragLink {
         unit mm;

@@ -41,7 +41,7 @@ const FIVE_BAR: System = System {
     margin: Some(|_| linkage_reference::Big::one()),
 };
 
-linkage::mechanism! {
+linkage_interpreted::interpreted! {
     struct FiveBar {
         unit mm;
         param crank = 30mm;

@@ -2,7 +2,7 @@
 
 use crate::cams::{cam, references};
 
-linkage::mechanism! {
+linkage_interpreted::interpreted! {
     /// The cam of a roller on a guide.
     struct RollerCam {
         unit mm;

@@ -54,7 +54,7 @@ fn rssr_of_the_reference() {
     }
 }
 
-linkage::mechanism! {
+linkage_interpreted::interpreted! {
     struct Rssr {
         param crank = 1m;
         param coupler = 5m;
@@ -91,7 +91,7 @@ fn rssr_of_the_program() {
     }
 }
 
-linkage::mechanism! {
+linkage_interpreted::interpreted! {
     struct Universal {
         param bend = 30deg;
         input phi = 45deg in 0deg..360deg;

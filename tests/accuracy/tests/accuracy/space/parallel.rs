@@ -6,7 +6,7 @@ use linkage_reference::Random;
 macro_rules! four_bar {
     ($name:ident { $($items:tt)* } $pivot:expr $(, $extra:ident)?) => {
         mod $name {
-            linkage::mechanism! {
+            linkage_interpreted::interpreted! {
                 pub struct Mechanism {
                     unit mm;
                     param crank = 50mm;
