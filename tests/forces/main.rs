@@ -16,6 +16,7 @@ mod joint;
 mod loads;
 mod newton_euler;
 mod quick_return;
+mod rollers;
 mod rotor;
 mod rows;
 mod rssp;

@@ -160,7 +160,8 @@ pub(super) fn ways<'m>(
         Rotation::Not => {}
         Rotation::AboutAxis => {
             let in_plane = Vector([graph.number(1.0)]).into();
-            ways.push(way(false, direction.unwrap_or(in_plane)));
+            let axis = direction.filter(|_| !geometry.is_plane());
+            ways.push(way(false, axis.unwrap_or(in_plane)));
         }
         Rotation::Freely => {
             let axes = geometry.units(graph).into_iter();
