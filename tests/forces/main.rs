@@ -22,6 +22,7 @@ mod rows;
 mod rssp;
 mod rssr;
 mod samples;
+mod scissors;
 mod slider_crank;
 mod solution;
 mod statics;

@@ -43,16 +43,30 @@ pub(super) fn motions<'m>(
         }
     }
     if bodies.geometry.is_plane() && motions.free.len() > held {
-        motions.ties = ties(
-            algebra,
-            bodies,
-            turns,
-            &motions.free,
-            motions.free.len() - held,
-            &unknowns,
-        );
+        // A drive whose motion depends on an unknown is among the free motions and is no gear.
+        let undriven = undriven_inputs(algebra, bodies, turns, &motions.driven).len();
+        let count = (motions.free.len() - held).saturating_sub(undriven);
+        motions.ties = ties(algebra, bodies, turns, &motions.free, count, &unknowns);
     }
     motions
+}
+
+/// The inputs that move none of these joints, like the length of a cylinder whose rod is pinned to
+/// a point of another link.
+pub(super) fn undriven_inputs<'m>(
+    algebra: &mut Algebra<'m>,
+    bodies: &Multibody<'m>,
+    turns: &mut AngularVelocities<'m>,
+    driven: &[JointMotion<'m>],
+) -> Vec<usize> {
+    let inputs = 0..algebra.mechanism.inputs.len();
+    let undriven = inputs.filter(|&input| {
+        !driven.iter().any(|way| {
+            let rate = relative_rate(algebra, bodies, turns, way, By::Input(input));
+            !algebra.vanishes(rate)
+        })
+    });
+    undriven.collect()
 }
 
 /// Up to `count` turns that are determined by others, all of them against the frame. Bodies that
