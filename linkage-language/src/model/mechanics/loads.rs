@@ -12,7 +12,7 @@ use crate::model::symbols::site::Context;
 use crate::model::types::{
     Between, Body, Dimension, Element, ElementKind, Expr, Load, Rotation, Type,
 };
-use crate::syntax::{self, ElementItem, JointKind, LoadItem, Member, Word};
+use crate::syntax::{self, ElementItem, LoadItem, Member, Word};
 
 /// The dimension of a value, and an example of one.
 #[derive(Clone, Copy)]
@@ -247,7 +247,7 @@ fn resolve_between(scope: &Scope, sink: &mut Sink, item: &ElementItem) -> (Betwe
                     let help =
                         "springs and dampers act on a `pin`, on a `slide`, or between two points";
                     sink.error_with_help(name.span, fact, help);
-                    kind != JointKind::Roller
+                    !kind.slides()
                 }
             });
             (Between::Joint(joint.unwrap_or_default()), turning)
