@@ -3,6 +3,7 @@
 use crate::algebra::{Algebra, Nominal};
 use crate::diagnostic::Reporter;
 use crate::forces::context::{Forces, Memo};
+use crate::forces::joint_motion::JointMotion;
 use crate::forces::multibody::Multibody;
 use crate::forces::positions::Positions;
 use crate::forces::system::{Equation, LARGEST_BLOCK, System};
@@ -54,7 +55,8 @@ fn check_system<'m>(
     let before = reporter.errors();
     report_still(mechanism, &bodies.facts.still, system, reporter);
     let undriven = if system.lacks_unknowns() {
-        freedom::undriven_inputs(algebra, bodies, &mut memo.turns, &system.driven)
+        let carried = carried_motions(&bodies.facts.steady, system);
+        freedom::undriven_inputs(algebra, bodies, &mut memo.turns, &carried)
     } else {
         Vec::new()
     };
@@ -67,6 +69,14 @@ fn check_system<'m>(
     if reporter.errors() == before {
         report_blocks(algebra, bodies, system, positions, reporter);
     }
+}
+
+/// Returns the motions in which a drive can act: those that inputs alone move, or at a constant
+/// rate.
+fn carried_motions<'m>(steady: &[(usize, bool)], system: &System<'m>) -> Vec<JointMotion<'m>> {
+    let free = system.equations.iter().filter_map(Equation::motion);
+    let free = free.filter(|way| steady.contains(&(way.body, way.slides)));
+    system.driven.iter().chain(free).copied().collect()
 }
 
 /// Reports inputs that move no body in the joint of its declaration.
