@@ -2,7 +2,7 @@
 
 use std::f64::consts::PI;
 use std::fs;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use crate::{folder, printed, refused};
 
@@ -48,7 +48,7 @@ fn lever(name: &str) -> PathBuf {
 
 /// The number in `NAME = NUMBER UNIT`.
 #[track_caller]
-fn expect(folder: &PathBuf, arguments: &[&str], name: &str, value: f64, unit: &str) {
+fn expect(folder: &Path, arguments: &[&str], name: &str, value: f64, unit: &str) {
     let text = printed(folder, &[&["hold", "lever.mech"], arguments].concat());
     let words: Vec<&str> = text.split_whitespace().collect();
     let [found_name, "=", number, found_unit] = words[..] else {

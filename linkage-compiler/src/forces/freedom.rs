@@ -88,6 +88,10 @@ fn ties<'m>(
             continue;
         }
         seen.push(alike[way.body]);
+        // No gear turns a body that never turns: a joint that holds it is missing.
+        if never_turns(algebra, bodies, turns, way.body, unknowns) {
+            continue;
+        }
         let Some(rates) = constant_rates(algebra, bodies, turns, way.body, unknowns) else {
             continue;
         };
@@ -103,6 +107,26 @@ fn ties<'m>(
         });
     }
     ties
+}
+
+/// True if a body of the plane turns with no unknown and no input.
+fn never_turns<'m>(
+    algebra: &mut Algebra<'m>,
+    bodies: &Multibody<'m>,
+    turns: &mut AngularVelocities<'m>,
+    body: usize,
+    unknowns: &[By],
+) -> bool {
+    let inputs = 0..algebra.mechanism.inputs.len();
+    let inputs: Vec<By> = inputs
+        .map(|input| By::Alone(algebra.variable(Variable::Input(input))))
+        .collect();
+    let mut variables = unknowns.iter().chain(&inputs);
+    variables.all(|&by| {
+        motion::turn(algebra, bodies, turns, Some(body), by)
+            .at(0)
+            .is_zero()
+    })
 }
 
 /// For each body and, last, for the frame: a number that those share which slides and `fixed`
