@@ -13,6 +13,7 @@ mod c;
 mod check;
 mod choose;
 mod declaration;
+mod hold;
 mod js;
 mod memory;
 mod new;
@@ -55,6 +56,8 @@ enum Command {
     Page(page::Options),
     /// What the tolerances do: worst case, statistics, contributions
     Tolerance(tolerance::Options),
+    /// The load, the spring rate or the mass for which a result has a wanted value
+    Hold(hold::Options),
     /// Every way in which the links can be put together at one position
     Assemblies(assemblies::AtInputs),
     /// How far each assembly reaches over the range of the input
@@ -87,6 +90,7 @@ pub fn run() -> ExitCode {
         Command::New(options) => new::run(options),
         Command::Page(options) => page::run(options),
         Command::Tolerance(options) => tolerance::run(options),
+        Command::Hold(options) => hold::run(options),
         Command::Assemblies(options) => assemblies::run(options),
         Command::Circuits(options) => assemblies::circuits(options),
         Command::C(options) => c::run(options),

@@ -32,6 +32,7 @@ fn the_page_shows_what_is_printed() {
             .replace("\r\n", "\n")
     };
     run("new slider.mech");
+    run("new press.mech --from toggle-press");
     let text = fs::read_to_string(folder.join("slider.mech")).expect("the mechanism");
     let wrong = text.replace("polar(rod, theta)", "polar(rot, theta)");
     fs::write(folder.join("wrong.mech"), wrong).expect("it can be written");

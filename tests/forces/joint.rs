@@ -23,6 +23,8 @@ pub(crate) enum Kind {
     /// Along a direction.
     Slide(Vector),
     Cylinder(Vector),
+    /// A pin of the plane that slides along a direction.
+    Roller(Vector),
     Ball,
 }
 
@@ -31,7 +33,7 @@ impl Kind {
     pub(crate) fn drive(self) -> Option<(bool, Vector)> {
         match self {
             Kind::Pin(axis) => Some((false, axis.normalize())),
-            Kind::Slide(way) => Some((true, way.normalize())),
+            Kind::Slide(way) | Kind::Roller(way) => Some((true, way.normalize())),
             Kind::Fixed | Kind::Cylinder(_) | Kind::Ball => None,
         }
     }
@@ -49,6 +51,7 @@ impl Joint {
             Kind::Pin(axis) => (all(), across(axis)),
             Kind::Slide(way) => (across(way), all()),
             Kind::Cylinder(axis) => (across(axis), across(axis)),
+            Kind::Roller(way) => (across(way), Vec::new()),
             Kind::Ball => (all(), Vec::new()),
         };
         if plane {

@@ -7,6 +7,7 @@ mod c;
 mod drawings;
 mod drawn;
 mod files;
+mod hold;
 mod js;
 mod kept;
 mod machines;

@@ -2,11 +2,14 @@
 
 use crate::algebra::{Algebra, Nominal};
 use crate::diagnostic::Reporter;
-use crate::forces::context::Forces;
+use crate::forces::context::{Forces, Memo};
+use crate::forces::joint_motion::JointMotion;
 use crate::forces::multibody::Multibody;
 use crate::forces::positions::Positions;
 use crate::forces::system::{Equation, LARGEST_BLOCK, System};
-use crate::forces::{assemble, ends, fit, loop_matches, names, rank, steady};
+use crate::forces::{
+    assemble, ends, fit, freedom, loop_matches, names, rank, shared_angles, steady,
+};
 use crate::machine::Reference;
 use crate::model::{EvaluatorDef, Mechanism};
 
@@ -33,26 +36,80 @@ pub(crate) fn check<'m>(
     if reporter.errors() == before && functions.any(EvaluatorDef::asks_for_reactions) {
         bodies.loop_values.arms = loop_matches::link_arms(algebra, bodies, &positions, nominal);
         let system = assemble::system(algebra, bodies, memo);
-        check_system(mechanism, bodies, &system, &positions, reporter);
+        check_system(algebra, bodies, memo, &system, &positions, reporter);
         bodies.loop_values.determinants =
             loop_matches::loop_determinants(algebra, &system, &positions, nominal);
     }
 }
 
 /// Are there as many reactions as motions to be held, and is each in its place?
-fn check_system(
-    mechanism: &Mechanism,
-    bodies: &Multibody,
-    system: &System,
+fn check_system<'m>(
+    algebra: &mut Algebra<'m>,
+    bodies: &Multibody<'m>,
+    memo: &mut Memo<'m>,
+    system: &System<'m>,
     positions: &Positions,
     reporter: &mut Reporter,
 ) {
+    let mechanism = algebra.mechanism;
     let before = reporter.errors();
     report_still(mechanism, &bodies.facts.still, system, reporter);
-    report_loose(mechanism, system, reporter);
+    let undriven = if system.lacks_unknowns() {
+        let carried = carried_motions(&bodies.facts.steady, system);
+        freedom::undriven_inputs(algebra, bodies, &mut memo.turns, &carried)
+    } else {
+        Vec::new()
+    };
+    if undriven.is_empty() {
+        report_loose(algebra, bodies, system, reporter);
+    } else {
+        report_undriven(algebra, bodies, &undriven, reporter);
+    }
     report_untold(mechanism, system, reporter);
     if reporter.errors() == before {
-        report_blocks(mechanism, system, positions, reporter);
+        report_blocks(algebra, bodies, system, positions, reporter);
+    }
+}
+
+/// Returns the motions in which a drive can act: those that inputs alone move, or at a constant
+/// rate.
+fn carried_motions<'m>(steady: &[(usize, bool)], system: &System<'m>) -> Vec<JointMotion<'m>> {
+    let free = system.equations.iter().filter_map(Equation::motion);
+    let free = free.filter(|way| steady.contains(&(way.body, way.slides)));
+    system.driven.iter().chain(free).copied().collect()
+}
+
+/// Reports inputs that move no body in the joint of its declaration.
+fn report_undriven(
+    algebra: &Algebra,
+    bodies: &Multibody,
+    undriven: &[usize],
+    reporter: &mut Reporter,
+) {
+    let mechanism = algebra.mechanism;
+    let all: Vec<usize> = (0..mechanism.bodies.len()).collect();
+    let shared = shared_angles::described(algebra, bodies, &all);
+    for &input in undriven {
+        let input = &mechanism.inputs[input];
+        let help = if input.dimension.angle {
+            format!(
+                "declare the body that it turns, like `body NAME = pin on BODY at POINT, turns {}`",
+                input.name
+            )
+        } else {
+            "declare the bodies of the drive; for a cylinder from P to Q these are \
+             `body barrel = pin on frame at P, turns angle(Q - P)` and \
+             `body rod = slide on barrel at Q along Q - P`, with a `pin` of the rod at Q"
+                .to_owned()
+        };
+        reporter.error(
+            input.origin,
+            format!(
+                "no body is declared by a joint that `{}` moves: reactions cannot be found{shared}\n\
+                 help: {help}",
+                input.name
+            ),
+        );
     }
 }
 
@@ -80,7 +137,8 @@ fn report_still(
 }
 
 /// Motions that no reaction holds.
-fn report_loose(mechanism: &Mechanism, system: &System, reporter: &mut Reporter) {
+fn report_loose(algebra: &Algebra, bodies: &Multibody, system: &System, reporter: &mut Reporter) {
+    let mechanism = algebra.mechanism;
     for (equation, found) in system.matching.coordinates_of.iter().enumerate() {
         let Equation::Motion(way) = &system.equations[equation] else {
             continue;
@@ -95,10 +153,11 @@ fn report_loose(mechanism: &Mechanism, system: &System, reporter: &mut Reporter)
             "turning in"
         };
         let joint = names::joint_name(mechanism, body.joint);
+        let shared = shared_angles::described(algebra, bodies, &[way.body]);
         reporter.error(
             body.origin,
             format!(
-                "nothing holds `{0}` against {how} {joint}: reactions cannot be found\n\
+                "nothing holds `{0}` against {how} {joint}: reactions cannot be found{shared}\n\
                  help: declare the joint that closes its loop, like `pin NAME = {0} on BODY at POINT;`; let a body hang by the joint \
                  that an input moves",
                 body.name
@@ -133,11 +192,13 @@ fn report_untold(mechanism: &Mechanism, system: &System, reporter: &mut Reporter
 
 /// Groups of equations that are too large, or say the same twice.
 fn report_blocks(
-    mechanism: &Mechanism,
+    algebra: &Algebra,
+    bodies: &Multibody,
     system: &System,
     positions: &Positions,
     reporter: &mut Reporter,
 ) {
+    let mechanism = algebra.mechanism;
     for block in &system.blocks {
         let joints = joints_of(system, block);
         let names = joints
@@ -151,8 +212,14 @@ fn report_blocks(
                 block.len(),
             )
         } else if rank::repeats(system, block, positions) {
+            let ends = joints.iter().flat_map(|&joint| {
+                let joint = &mechanism.joints[joint];
+                [Some(joint.body), joint.on]
+            });
+            let ends: Vec<usize> = ends.flatten().collect();
+            let shared = shared_angles::described(algebra, bodies, &ends);
             format!(
-                "equilibrium does not tell the reactions of {names}: the conditions for them repeat each other wherever it moves\n\
+                "equilibrium does not tell the reactions of {names}: the conditions for them repeat each other wherever it moves{shared}\n\
                  help: leave out a joint that holds what others hold already, or let one of them move more freely",
             )
         } else {

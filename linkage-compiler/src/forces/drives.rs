@@ -17,7 +17,7 @@ pub(super) fn drive_steady<'m>(steady: &[(usize, bool)], system: &mut System<'m>
             way.is_some_and(|way| (way.body, way.slides) == (body, slides))
         };
         let index = system.equations.iter().position(is_this);
-        let Some(index) = index.filter(|_| system.found() < system.equations.len()) else {
+        let Some(index) = index.filter(|_| system.lacks_unknowns()) else {
             continue;
         };
         let before = system.clone();

@@ -112,7 +112,7 @@ fn pair_of_points<'m>(
     }
 }
 
-/// Nothing for a ball joint, and for a pin of the plane.
+/// Nothing for a ball joint, and for a pin or roller of the plane.
 fn pair_of_turns<'m>(
     algebra: &mut Algebra<'m>,
     bodies: &Multibody<'m>,
@@ -123,6 +123,7 @@ fn pair_of_turns<'m>(
     let declared = &algebra.mechanism.joints[joint];
     let except = match declared.kind.rotation() {
         Rotation::Not => None,
+        Rotation::AboutAxis if bodies.geometry.is_plane() => return None,
         Rotation::AboutAxis => Some(bodies.geometry.directions[joint]?),
         Rotation::Freely => return None,
     };

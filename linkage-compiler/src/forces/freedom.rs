@@ -43,16 +43,30 @@ pub(super) fn motions<'m>(
         }
     }
     if bodies.geometry.is_plane() && motions.free.len() > held {
-        motions.ties = ties(
-            algebra,
-            bodies,
-            turns,
-            &motions.free,
-            motions.free.len() - held,
-            &unknowns,
-        );
+        // A drive whose motion depends on an unknown is among the free motions and is no gear.
+        let undriven = undriven_inputs(algebra, bodies, turns, &motions.driven).len();
+        let count = (motions.free.len() - held).saturating_sub(undriven);
+        motions.ties = ties(algebra, bodies, turns, &motions.free, count, &unknowns);
     }
     motions
+}
+
+/// The inputs that move none of these joints, like the length of a cylinder whose rod is pinned to
+/// a point of another link.
+pub(super) fn undriven_inputs<'m>(
+    algebra: &mut Algebra<'m>,
+    bodies: &Multibody<'m>,
+    turns: &mut AngularVelocities<'m>,
+    driven: &[JointMotion<'m>],
+) -> Vec<usize> {
+    let inputs = 0..algebra.mechanism.inputs.len();
+    let undriven = inputs.filter(|&input| {
+        !driven.iter().any(|way| {
+            let rate = relative_rate(algebra, bodies, turns, way, By::Input(input));
+            !algebra.vanishes(rate)
+        })
+    });
+    undriven.collect()
 }
 
 /// Up to `count` turns that are determined by others, all of them against the frame. Bodies that
@@ -74,6 +88,10 @@ fn ties<'m>(
             continue;
         }
         seen.push(alike[way.body]);
+        // No gear turns a body that never turns: a joint that holds it is missing.
+        if never_turns(algebra, bodies, turns, way.body, unknowns) {
+            continue;
+        }
         let Some(rates) = constant_rates(algebra, bodies, turns, way.body, unknowns) else {
             continue;
         };
@@ -89,6 +107,26 @@ fn ties<'m>(
         });
     }
     ties
+}
+
+/// True if a body of the plane turns with no unknown and no input.
+fn never_turns<'m>(
+    algebra: &mut Algebra<'m>,
+    bodies: &Multibody<'m>,
+    turns: &mut AngularVelocities<'m>,
+    body: usize,
+    unknowns: &[By],
+) -> bool {
+    let inputs = 0..algebra.mechanism.inputs.len();
+    let inputs: Vec<By> = inputs
+        .map(|input| By::Alone(algebra.variable(Variable::Input(input))))
+        .collect();
+    let mut variables = unknowns.iter().chain(&inputs);
+    variables.all(|&by| {
+        motion::turn(algebra, bodies, turns, Some(body), by)
+            .at(0)
+            .is_zero()
+    })
 }
 
 /// For each body and, last, for the frame: a number that those share which slides and `fixed`
@@ -160,7 +198,8 @@ pub(super) fn ways<'m>(
         Rotation::Not => {}
         Rotation::AboutAxis => {
             let in_plane = Vector([graph.number(1.0)]).into();
-            ways.push(way(false, direction.unwrap_or(in_plane)));
+            let axis = direction.filter(|_| !geometry.is_plane());
+            ways.push(way(false, axis.unwrap_or(in_plane)));
         }
         Rotation::Freely => {
             let axes = geometry.units(graph).into_iter();

@@ -32,6 +32,7 @@
 //! | `quantities` | the quantities that functions ask for |
 //! | `ends`, `fit` | checks on numbers |
 //! | `steady` | facts about the motion that only numbers show |
+//! | `shared_angles` | bodies whose angles follow from one unknown, for messages |
 //! | `print` | the order in which reactions are found, for golden files |
 //! | `check` | checks whether forces can be found from the declarations |
 
@@ -62,6 +63,7 @@ mod positions;
 mod print;
 pub(crate) mod quantities;
 mod rank;
+mod shared_angles;
 mod speeds;
 mod steady;
 mod system;

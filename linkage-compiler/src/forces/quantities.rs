@@ -71,7 +71,9 @@ fn reaction<'m>(
     if kind.slides() && is_driven(&system, body, true) {
         reaction.force = reaction.force.across(direction);
     }
-    if kind.rotation() == Rotation::AboutAxis && is_driven(&system, body, false) {
+    // A roller of the plane has a direction, too, and no moment at all.
+    let has_axis = kind.rotation() == Rotation::AboutAxis && !bodies.geometry.is_plane();
+    if has_axis && is_driven(&system, body, false) {
         reaction.moment = reaction.moment.across(direction);
     }
     reaction

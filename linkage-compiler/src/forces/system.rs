@@ -121,6 +121,11 @@ impl<'m> System<'m> {
         self.found() < self.unknowns.len()
     }
 
+    /// True if some equations find no unknown.
+    pub(super) fn lacks_unknowns(&self) -> bool {
+        self.found() < self.equations.len()
+    }
+
     /// True if gears act on a body.
     pub(super) fn ties(&self, body: usize) -> bool {
         self.unknowns.iter().any(|unknown| match unknown {

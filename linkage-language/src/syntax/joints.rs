@@ -29,7 +29,7 @@ const BODY: [ClauseRule; 3] = [
 fn joint_rules(kind: JointKind) -> &'static [ClauseRule] {
     match kind {
         JointKind::Pin => &[ON, AT, ABOUT],
-        JointKind::Slide => &[ON, AT, ALONG],
+        JointKind::Slide | JointKind::Roller => &[ON, AT, ALONG],
         JointKind::Ball | JointKind::Fixed => &[ON, AT],
         JointKind::Cylinder => &[ON, AT, ALONG, ABOUT],
     }
@@ -193,6 +193,7 @@ fn other_names(kind: JointKind) -> &'static [&'static str] {
     match kind {
         JointKind::Pin => &["hinge", "revolute", "pivot"],
         JointKind::Slide => &["slider", "prismatic", "guide"],
+        JointKind::Roller => &["slot"],
         JointKind::Ball => &["sphere", "spherical", "socket"],
         JointKind::Cylinder => &["cylindrical"],
         JointKind::Fixed => &["weld", "rigid"],

@@ -60,6 +60,7 @@ vocabulary! {
     pub enum JointKind {
         Pin = "pin",
         Slide = "slide",
+        Roller = "roller",
         Ball = "ball",
         Cylinder = "cylinder",
         Fixed = "fixed",
@@ -70,7 +71,7 @@ impl JointKind {
     /// The clause that names its direction.
     pub fn direction_word(self) -> ClauseWord {
         match self {
-            JointKind::Slide => ClauseWord::Along,
+            JointKind::Slide | JointKind::Roller => ClauseWord::Along,
             // Joints without a direction never need the word.
             JointKind::Pin | JointKind::Ball | JointKind::Cylinder | JointKind::Fixed => {
                 ClauseWord::About

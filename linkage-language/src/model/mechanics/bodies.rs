@@ -110,7 +110,9 @@ fn check_turns(sink: &mut Sink, item: &BodyItem) {
         return;
     }
     let help = match (sink.components, item.joint.kind.rotation()) {
-        (Some(2) | None, _) => "name its angle: `turns phi`",
+        (Some(2) | None, _) => {
+            "name its angle: `turns phi`; a body that does not turn has `turns 0deg`"
+        }
         (_, Rotation::Freely) => {
             "name the vector along it if it is a slender rod, `turns q - p`, or its frame: `turns frame(p, x, z)`"
         }

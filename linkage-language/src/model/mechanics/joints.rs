@@ -71,6 +71,14 @@ fn check_joint_kind(sink: &mut Sink, part: &JointPart, direction: Option<&Expr>)
             "a `cylinder` in the plane".to_owned(),
             "write `slide`, or points of space `(x, y, z)`".to_owned(),
         ),
+        (JointKind::Roller, false, _) => (
+            "a `roller` in space".to_owned(),
+            "write `cylinder`, or points of the plane `(x, y)`".to_owned(),
+        ),
+        (JointKind::Roller, true, None) => (
+            "a `roller` without `along`".to_owned(),
+            "name the direction of its slot: `along (1, 0)`".to_owned(),
+        ),
         (JointKind::Slide, _, None) => (
             "a `slide` without `along`".to_owned(),
             "name the direction of its guide: `along dir(phi)`".to_owned(),
@@ -90,6 +98,7 @@ fn check_joint_kind(sink: &mut Sink, part: &JointPart, direction: Option<&Expr>)
         (JointKind::Pin, true, None)
         | (JointKind::Pin | JointKind::Cylinder, false, Some(_))
         | (JointKind::Slide, _, Some(_))
+        | (JointKind::Roller, true, Some(_))
         | (JointKind::Ball, false, None)
         | (JointKind::Fixed, _, None) => return,
     };

@@ -247,7 +247,7 @@ fn resolve_between(scope: &Scope, sink: &mut Sink, item: &ElementItem) -> (Betwe
                     let help =
                         "springs and dampers act on a `pin`, on a `slide`, or between two points";
                     sink.error_with_help(name.span, fact, help);
-                    true
+                    !kind.slides()
                 }
             });
             (Between::Joint(joint.unwrap_or_default()), turning)

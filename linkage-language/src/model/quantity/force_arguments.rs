@@ -78,7 +78,7 @@ pub(in crate::model) fn expect_joint_with_moment(
 ) -> Option<usize> {
     let joint = expect_joint(parts, members, sink, MechanicsWord::Moment, arguments, span)?;
     let kind = members.joints[joint];
-    let free = kind.transmits_no_moment(sink.components == Some(2));
+    let free = kind.turns_in_every_way(sink.components == Some(2));
     if free {
         let fact = format!("a `{}` takes no moment", kind.word());
         let help = "ask for its `reaction`";

@@ -206,7 +206,9 @@ fn how_bodies_turn() {
         ("body x = slide on crank at p along (1, 0), turns 0;", &[]),
         (
             "body x = pin on crank at p;",
-            &["how does `x` turn? A `turns` is missing\nhelp: name its angle: `turns phi`"],
+            &[
+                "how does `x` turn? A `turns` is missing\nhelp: name its angle: `turns phi`; a body that does not turn has `turns 0deg`",
+            ],
         ),
         (
             "body x = fixed on crank at p, turns crank;",

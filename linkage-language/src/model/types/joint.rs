@@ -47,6 +47,13 @@ impl JointKind {
                 sliding_sign: JointShape::Slide,
                 direction_name: "the guide of a `slide`",
             },
+            JointKind::Roller => Properties {
+                rotation: Rotation::AboutAxis,
+                slides: true,
+                turning_sign: Some(JointShape::Pin),
+                sliding_sign: JointShape::Slide,
+                direction_name: "the slot of a `roller`",
+            },
             JointKind::Ball => Properties {
                 rotation: Rotation::Freely,
                 slides: false,
@@ -88,12 +95,16 @@ impl JointKind {
 
     /// True if the joint transmits every force and no moment, in the plane or in space.
     pub fn transmits_no_moment(self, is_plane: bool) -> bool {
-        let turns_in_every_way = match self.rotation() {
+        self.turns_in_every_way(is_plane) && !self.slides()
+    }
+
+    /// True if the joint transmits no moment, whatever its forces, in the plane or in space.
+    pub fn turns_in_every_way(self, is_plane: bool) -> bool {
+        match self.rotation() {
             Rotation::Not => false,
             Rotation::AboutAxis => is_plane,
             Rotation::Freely => !is_plane,
-        };
-        turns_in_every_way && !self.slides()
+        }
     }
 
     /// Returns the sign for bodies that turn against each other; `None` if they do not.

@@ -93,7 +93,7 @@ fn bodies() {
         ),
         (
             "body a = ;",
-            "expected a joint, found `;`\nhelp: joints are pin slide ball cylinder fixed",
+            "expected a joint, found `;`\nhelp: joints are pin slide roller ball cylinder fixed",
         ),
         (
             "body a pin on b at p;",
@@ -332,7 +332,7 @@ fn inputs_and_the_rest() {
         ),
         (
             "joint b = a on b at p;",
-            "expected an item, found `joint`\nhelp: items are unit const param input unknown let loop argument part gravity body pin slide ball cylinder fixed force torque spring damper",
+            "expected an item, found `joint`\nhelp: items are unit const param input unknown let loop argument part gravity body pin slide roller ball cylinder fixed force torque spring damper",
         ),
         (
             "mass 3 at p;",
