@@ -87,7 +87,7 @@ pub fn example(file: &str) -> String {
     all.into_iter().next().expect("it has a mechanism")
 }
 
-/// What stands in each `mechanism!` of a file, whose path begins at the root of the project.
+/// What stands in each `mechanism!` and `interpreted!` of a file, whose path begins at the root of the project.
 pub fn written(file: &str) -> Vec<String> {
     let path = Path::new(env!("CARGO_MANIFEST_DIR"))
         .join("../..")
@@ -108,7 +108,10 @@ fn texts(folder: &str, end: &str) -> Vec<String> {
     texts.map(|text| text.expect("it can be read")).collect()
 }
 
-/// What stands in the braces of `mechanism!`, wherever that is called.
+/// The macros that take mechanisms.
+const MACROS: [&str; 2] = ["mechanism", "interpreted"];
+
+/// What stands in the braces of such a macro, wherever it is called.
 fn find(tokens: TokenStream, bodies: &mut Vec<TokenStream>) {
     let tokens: Vec<TokenTree> = tokens.into_iter().collect();
     for (index, token) in tokens.iter().enumerate() {
@@ -120,9 +123,11 @@ fn find(tokens: TokenStream, bodies: &mut Vec<TokenStream>) {
             .rev()
             .take(2)
             .map(ToString::to_string);
-        match before.collect::<Vec<_>>() == ["!", "mechanism"] {
-            true => bodies.push(group.stream()),
-            false => find(group.stream(), bodies),
+        match before.collect::<Vec<_>>().as_slice() {
+            [sign, name] if sign == "!" && MACROS.contains(&name.as_str()) => {
+                bodies.push(group.stream());
+            }
+            _ => find(group.stream(), bodies),
         }
     }
 }
