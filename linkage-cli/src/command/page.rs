@@ -1,7 +1,7 @@
 //! `linkage page`: the report of all functions.
 
 mod banner;
-mod functionless;
+mod derived_functions;
 mod report;
 mod watched;
 
@@ -21,7 +21,7 @@ use super::sweep::runs;
 use super::values::{Dimensions, parts};
 use crate::failure::Failure;
 use crate::normal::normal;
-use functionless::with_functions;
+use derived_functions::with_functions;
 use report::{ReportOptions, report};
 use watched::{Stamp, follow};
 
