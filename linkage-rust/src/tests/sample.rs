@@ -281,6 +281,7 @@ fn unit() -> CompiledMechanism {
         name: scalar.name.clone(),
         documentation: String::new(),
         shape: Shape::Scalar,
+        is_link_length: false,
         scalars: vec![scalar],
     };
     CompiledMechanism {
@@ -289,6 +290,7 @@ fn unit() -> CompiledMechanism {
                 name: "pivot".to_owned(),
                 documentation: String::new(),
                 shape: Shape::Vector(2),
+                is_link_length: false,
                 scalars: vec![scalar("pivot.x", 1.0, 0.5), scalar("pivot.y", -2.0, 0.0)],
             },
             alone(scalar("crank", 10.0, 0.0)),
