@@ -60,6 +60,32 @@ fn a_declared_load_has_a_slider_and_forces() {
 }
 
 #[test]
+fn functions_without_a_picture_move_and_are_plotted() {
+    let functions = "impl Loaded { fn track(phi) -> Track { p: d, psi } }";
+    let Some(mut live) = Live::text("pictureless", &format!("{LOADED}{functions}")) else {
+        return;
+    };
+    let links = "document.querySelectorAll('[data-link]').length";
+    assert_eq!(live.page.number(links), 3.0);
+    let moves = "(() => {
+        const slider = document.getElementById('position');
+        const shown = (row) => {
+            slider.value = row;
+            slider.dispatchEvent(new Event('input'));
+            return document.querySelector('#drawing .bodies').innerHTML;
+        };
+        return shown(0) !== shown(90);
+    })()";
+    assert!(live.page.holds(moves));
+    let table = live.csv("track");
+    assert!(
+        table.starts_with("phi [rad],p.x [mm],p.y [mm],psi [rad]\r\n"),
+        "{table}"
+    );
+    live.page.assert_quiet();
+}
+
+#[test]
 fn a_mechanism_without_functions_moves_and_is_plotted() {
     let Some(mut live) = Live::text("unknowns", LOADED) else {
         return;
