@@ -11,6 +11,8 @@ pub struct Picture {
     pub points: Vec<Point>,
     /// Names of unit vectors, which follow the points.
     pub directions: Vec<String>,
+    /// Points and directions at the reference inputs, by components.
+    pub reference: Vec<Vec<f64>>,
     /// Points that keep their distances.
     pub links: Vec<Link>,
     /// Lines along which points slide.
