@@ -73,7 +73,7 @@ const START: usize = SCRIPTS.len() - 1;
 
 /// Styles and scripts of a page that computes, before the last script.
 const LIVE_STYLE: &str = include_str!("page/live/live.css");
-const LIVE: [&str; 20] = [
+const LIVE: [&str; 21] = [
     include_str!("page/live/model.js"),
     include_str!("page/live/derived.js"),
     include_str!("page/live/reason.js"),
@@ -93,6 +93,7 @@ const LIVE: [&str; 20] = [
     include_str!("page/live/text.js"),
     include_str!("page/live/typed.js"),
     include_str!("page/live/fields.js"),
+    include_str!("page/live/runs.js"),
     include_str!("page/live/controls.js"),
 ];
 

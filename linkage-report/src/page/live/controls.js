@@ -87,7 +87,7 @@ function controlRow(name, unit, [low, high], put) {
   field.addEventListener("change", () => takeTyped(row));
   field.addEventListener("keydown", (event) => onFieldKey(event, row));
   controls.rows.set(name, row);
-  return element("label", { class: "dimension" }, element("span", { class: "name" }, name), slider, field, element("small", {}, plotUnit(unit)));
+  return element("label", { class: "dimension" }, element("span", { class: "name" }, name), slider, field, element("small", {}, plotUnit(unit), ...[runButton(row)].filter((own) => own !== null)));
 }
 
 // A slider tells as many digits as its pixels do.
