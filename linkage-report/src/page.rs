@@ -21,7 +21,7 @@ const STYLES: [&str; 7] = [
     include_str!("page/print.css"),
 ];
 /// Joined in this order; the last one starts the page.
-const SCRIPTS: [&str; 45] = [
+const SCRIPTS: [&str; 47] = [
     include_str!("page/dom.js"),
     include_str!("page/fresh.js"),
     include_str!("page/numbers.js"),
@@ -61,6 +61,8 @@ const SCRIPTS: [&str; 45] = [
     include_str!("page/values.js"),
     include_str!("page/export.js"),
     include_str!("page/film.js"),
+    include_str!("page/clip.js"),
+    include_str!("page/gif.js"),
     include_str!("page/dxf.js"),
     include_str!("page/downloads.js"),
     include_str!("page/theme.js"),

@@ -133,7 +133,7 @@ fn every_file_names_the_changes() {
     );
     assert_eq!(
         files,
-        "data.json,CrankRocker.mech,path.csv,motion.csv,accuracy.csv,quality.csv,picture.csv,page.html,mechanism.svg,mechanism.png,plots.svg,plots.png,moving.svg,mechanism.dxf"
+        "data.json,CrankRocker.mech,path.csv,motion.csv,accuracy.csv,quality.csv,picture.csv,page.html,mechanism.svg,mechanism.png,plots.svg,plots.png,moving.svg,moving.webm,moving.gif,mechanism.dxf"
     );
     let tables = ["path", "motion", "accuracy", "quality", "picture"];
     for name in tables.map(|table| format!("{table}.csv")) {
