@@ -21,7 +21,7 @@ const STYLES: [&str; 7] = [
     include_str!("page/print.css"),
 ];
 /// Joined in this order; the last one starts the page.
-const SCRIPTS: [&str; 47] = [
+const SCRIPTS: [&str; 48] = [
     include_str!("page/dom.js"),
     include_str!("page/fresh.js"),
     include_str!("page/numbers.js"),
@@ -41,6 +41,7 @@ const SCRIPTS: [&str; 47] = [
     include_str!("page/points.js"),
     include_str!("page/traces.js"),
     include_str!("page/vectors.js"),
+    include_str!("page/photo.js"),
     include_str!("page/drawing.js"),
     include_str!("page/cyclogram.js"),
     include_str!("page/moments.js"),
