@@ -49,8 +49,8 @@ pub(super) fn html(picture: &Picture, title: &str) -> Option<String> {
         let places = link.points.iter().map(|&point| sheet.points[point]);
         svg.push_str(&self::link(&link.name, &hull(places.collect())));
     }
-    for (point, &at) in picture.points.iter().zip(&sheet.points) {
-        svg.push_str(&self::point(point.kind, at));
+    for (point, &position) in picture.points.iter().zip(&sheet.points) {
+        svg.push_str(&self::point(point.kind, position));
     }
     svg.push_str(&names(picture, &sheet));
     svg.push_str("</svg></div>");
@@ -67,7 +67,11 @@ struct Sheet {
 impl Sheet {
     /// `None` if a point is nowhere, or if all are in one place.
     fn new(picture: &Picture) -> Option<Self> {
-        let flat: Vec<[f64; 2]> = picture.reference.iter().map(|at| projected(at)).collect();
+        let flat: Vec<[f64; 2]> = picture
+            .reference
+            .iter()
+            .map(|position| projected(position))
+            .collect();
         if flat.is_empty() || !flat.iter().flatten().all(|x| x.is_finite()) {
             return None;
         }
@@ -75,10 +79,10 @@ impl Sheet {
         let drawn = picture.points.iter().zip(points);
         let drawn = drawn.filter(|(point, _)| point.kind != PointKind::Construction);
         let (mut low, mut high) = ([f64::INFINITY; 2], [f64::NEG_INFINITY; 2]);
-        for (_, at) in drawn {
+        for (_, position) in drawn {
             for axis in 0..2 {
-                low[axis] = low[axis].min(at[axis]);
-                high[axis] = high[axis].max(at[axis]);
+                low[axis] = low[axis].min(position[axis]);
+                high[axis] = high[axis].max(position[axis]);
             }
         }
         let scales = [0, 1].map(|axis| (SIZE[axis] - 2.0 * MARGIN) / (high[axis] - low[axis]));
@@ -86,9 +90,10 @@ impl Sheet {
         if !(scale > 0.0 && scale.is_finite()) {
             return None;
         }
-        let place = |at: &[f64; 2]| [0, 1].map(|axis| MARGIN + scale * (at[axis] - low[axis]));
+        let on_paper =
+            |position: &[f64; 2]| [0, 1].map(|axis| MARGIN + scale * (position[axis] - low[axis]));
         Some(Self {
-            points: points.iter().map(place).collect(),
+            points: points.iter().map(on_paper).collect(),
             directions: directions.to_vec(),
             size: [0, 1].map(|axis| 2.0 * MARGIN + scale * (high[axis] - low[axis])),
         })
@@ -120,16 +125,16 @@ fn hull(mut points: Vec<[f64; 2]>) -> Vec<[f64; 2]> {
 /// The corners on one side of sorted points, without the last one.
 fn half_hull(points: impl Iterator<Item = [f64; 2]>) -> Vec<[f64; 2]> {
     let mut corners: Vec<[f64; 2]> = Vec::new();
-    for at in points {
+    for position in points {
         while let [.., a, b] = corners[..] {
-            let turn = (b[0] - a[0]) * (at[1] - b[1]) - (b[1] - a[1]) * (at[0] - b[0]);
+            let turn = (b[0] - a[0]) * (position[1] - b[1]) - (b[1] - a[1]) * (position[0] - b[0]);
             // A corner is at least a pixel off the line between its neighbours.
-            if turn > (at[0] - a[0]).hypot(at[1] - a[1]) {
+            if turn > (position[0] - a[0]).hypot(position[1] - a[1]) {
                 break;
             }
             corners.pop();
         }
-        corners.push(at);
+        corners.push(position);
     }
     corners.pop();
     corners
@@ -149,7 +154,7 @@ fn link(name: &str, corners: &[[f64; 2]]) -> String {
 
 /// Rails with a block on them, a slotted lever, or a cylinder.
 fn guide(sheet: &Sheet, guide: &Guide) -> String {
-    let [origin, at] = [guide.origin, guide.slider].map(|point| sheet.points[point]);
+    let [origin, position] = [guide.origin, guide.slider].map(|point| sheet.points[point]);
     let [x, y] = sheet.directions[guide.direction];
     let length = x.hypot(y);
     // Seen along its line.
@@ -159,8 +164,8 @@ fn guide(sheet: &Sheet, guide: &Guide) -> String {
     let along = [x / length, y / length];
     let corner = |way: f64, side: f64| {
         [
-            at[0] + way * along[0] - side * along[1],
-            at[1] + way * along[1] + side * along[0],
+            position[0] + way * along[0] - side * along[1],
+            position[1] + way * along[1] + side * along[0],
         ]
     };
     let name = escaped(&guide.name);
@@ -172,12 +177,12 @@ fn guide(sheet: &Sheet, guide: &Guide) -> String {
     let [half, gauge] = RAIL;
     let [long, wide] = BLOCK;
     if guide.shape == GuideShape::Cylinder {
-        let end = [0, 1].map(|axis| origin[axis] + BARREL * (at[axis] - origin[axis]));
+        let end = [0, 1].map(|axis| origin[axis] + BARREL * (position[axis] - origin[axis]));
         draw(
             &[origin, end],
             "\" stroke-width=\"11\" stroke-opacity=\".4\" stroke-linecap=\"butt\"",
         );
-        draw(&[origin, at], "\" stroke-width=\"3\"");
+        draw(&[origin, position], "\" stroke-width=\"3\"");
     } else {
         if guide.on == GuideOn::Itself {
             draw(
@@ -248,7 +253,7 @@ fn names(picture: &Picture, sheet: &Sheet) -> String {
 }
 
 fn polyline(points: &[[f64; 2]]) -> String {
-    let corners = points.iter().map(|at| at.map(number).join(" "));
+    let corners = points.iter().map(|position| position.map(number).join(" "));
     format!("M{}", corners.collect::<Vec<_>>().join("L"))
 }
 
