@@ -21,6 +21,8 @@ pub struct Picture {
     pub axes: Vec<(usize, usize)>,
     /// The joints in which links meet, in the order of their points.
     pub joints: Vec<Joint>,
+    /// The declared joints with a name, and their points.
+    pub declared_joints: Vec<(String, usize)>,
     /// Wheels whose angles belong together.
     pub gears: Vec<Gear>,
     /// The elements that inputs move.
