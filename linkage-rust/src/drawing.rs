@@ -25,6 +25,9 @@ const BLOCK: [f64; 2] = [10.0, 5.0];
 /// The share of a cylinder's barrel between its pins.
 const BARREL: f64 = 0.6;
 
+/// A unit vector that is shorter on the paper points at the reader.
+const SHORTEST: f64 = 0.1;
+
 /// The width of a letter and the height of a line of names.
 const LETTER: [f64; 2] = [6.5, 12.0];
 
@@ -158,7 +161,7 @@ fn guide(sheet: &Sheet, guide: &Guide) -> String {
     let [x, y] = sheet.directions[guide.direction];
     let length = x.hypot(y);
     // Seen along its line.
-    if !(length > 0.1) {
+    if length < SHORTEST || length.is_nan() {
         return String::new();
     }
     let along = [x / length, y / length];

@@ -28,7 +28,7 @@ function startLive() {
   // A page that goes has its last change in its address.
   addEventListener("pagehide", () => link.waiting !== null && writeLinkNow());
   startPulling();
-  if (picture) byId("hint").append(" Pull pivots and bars to change dimensions, with shift to all digits.");
+  if (picture) byId("hint").firstChild.after(" Pull pivots and bars to change dimensions, with shift to all digits.");
 }
 
 function makeControls() {
