@@ -50,6 +50,11 @@ impl<'m> Compiled<'m> {
     }
 }
 
+static NO_REVOLUTIONS: AllRevolutions = Revolutions {
+    centres: Vec::new(),
+    windings: Vec::new(),
+};
+
 /// The numbers of an assembly.
 pub(crate) fn numbers<'a>(
     core: &'a CoreOf<Compiled<'_>>,
@@ -64,13 +69,6 @@ pub(crate) fn numbers<'a>(
         inputs,
         states,
     }
-}
-
-/// The outputs of a program of an assembly, by the instructions of the build.
-fn run(core: &CoreOf<Compiled<'_>>, program: &Program, x: &Arguments) -> Vec<f64> {
-    let numbers = numbers(core, &x.inputs, &x.states);
-    let multiply_adds = core.dimensions.mechanism.multiply_adds;
-    by_build(multiply_adds, program, |source| numbers.load(source))
 }
 
 impl<'m> linkage_runtime::support::Compiled for Compiled<'m> {
@@ -138,24 +136,27 @@ impl<'m> linkage_runtime::support::Compiled for Compiled<'m> {
         }
     }
 
-    fn gaps(core: &CoreOf<Self>, x: Arguments) -> impl AsRef<[f64]> {
-        run(core, &core.dimensions.mechanism.compiled.gaps, &x)
+    fn gaps(
+        &self,
+        modes: &Vec<AssemblyMode>,
+        prepared: &Vec<f64>,
+        x: Arguments,
+    ) -> impl AsRef<[f64]> {
+        self.run(&self.mechanism.compiled.gaps, modes, prepared, &x)
     }
 
-    fn directions(core: &CoreOf<Self>, x: Arguments) -> impl AsRef<[[f64; 2]]> {
-        pairs(&run(
-            core,
-            &core.dimensions.mechanism.compiled.directions,
-            &x,
-        ))
+    fn directions(
+        &self,
+        modes: &Vec<AssemblyMode>,
+        prepared: &Vec<f64>,
+        x: Arguments,
+    ) -> impl AsRef<[[f64; 2]]> {
+        let program = &self.mechanism.compiled.directions;
+        pairs(&self.run(program, modes, prepared, &x))
     }
 
     fn bearings(&self, modes: &Vec<AssemblyMode>) -> impl AsRef<[[f64; 2]]> {
-        let none = Revolutions {
-            centres: Vec::new(),
-            windings: Vec::new(),
-        };
-        let numbers = self.numbers(modes, &none);
+        let numbers = self.numbers(modes, &NO_REVOLUTIONS);
         let bearings = &self.mechanism.compiled.bearings;
         let multiply_adds = self.mechanism.multiply_adds;
         pairs(&by_build(multiply_adds, bearings, |source| {
@@ -165,6 +166,25 @@ impl<'m> linkage_runtime::support::Compiled for Compiled<'m> {
 }
 
 impl Compiled<'_> {
+    /// The outputs of a program of an assembly, by the instructions of the build. Revolutions are in
+    /// the prepared numbers.
+    fn run(
+        &self,
+        program: &Program,
+        modes: &[AssemblyMode],
+        prepared: &[f64],
+        x: &Arguments,
+    ) -> Vec<f64> {
+        let numbers = Numbers {
+            prepared,
+            inputs: &x.inputs,
+            states: &x.states,
+            ..self.numbers(modes, &NO_REVOLUTIONS)
+        };
+        let multiply_adds = self.mechanism.multiply_adds;
+        by_build(multiply_adds, program, |source| numbers.load(source))
+    }
+
     /// The numbers that no input and nothing prepared changes.
     fn numbers<'a>(
         &'a self,
@@ -196,7 +216,8 @@ impl Grouped for Compiled<'_> {
     }
 
     fn survey(core: &CoreOf<Self>, x: Arguments) -> Vec<f64> {
-        run(core, &core.dimensions.mechanism.compiled.survey, &x)
+        let (compiled, modes, prepared) = core.loaded();
+        compiled.run(&compiled.mechanism.compiled.survey, modes, prepared, &x)
     }
 
     fn state_mut(x: &mut Arguments, number: usize) -> &mut [f64] {
@@ -215,7 +236,8 @@ impl PlainGroups for Compiled<'_> {
         x: Arguments,
         read: impl FnOnce(&[f64]) -> R,
     ) -> R {
-        let group = &core.dimensions.mechanism.compiled.coupled[number];
+        let (compiled, modes, prepared) = core.loaded();
+        let group = &compiled.mechanism.compiled.coupled[number];
         let program = match program {
             GroupProgram::System => &group.system,
             GroupProgram::Correct => &group.correct,
@@ -223,7 +245,7 @@ impl PlainGroups for Compiled<'_> {
             GroupProgram::Estimate => &group.estimate,
             GroupProgram::Missed => &group.missed,
         };
-        read(&run(core, program, &x))
+        read(&compiled.run(program, modes, prepared, &x))
     }
 
     fn residuals(

@@ -113,20 +113,7 @@ impl Mechanism {
 
     /// Returns the same mechanism with multiply-adds that are rounded once on every machine. Its
     /// numbers are those of a machine that has the instruction; they take longer where it is missing.
-    ///
-    /// ```
-    /// use linkage_engine::Mechanism;
-    ///
-    /// let text = "
-    ///     pub struct Square { unit mm; param a = 1; input x = 1 in 0..2; let y = a * a + x; }
-    ///     impl Square { pub fn y(x) -> Y { y } }";
-    /// let mechanism = Mechanism::compile(text)?.with_fused_multiply_adds();
-    /// let last_digit = 1.0 + f64::EPSILON;
-    /// let assembly = mechanism.assemble(&[last_digit])?;
-    /// let y = assembly.call(mechanism.function("y")?, &[-1.0 - 2.0 * f64::EPSILON]);
-    /// assert_eq!(y, [f64::EPSILON * f64::EPSILON]);
-    /// # Ok::<(), Box<dyn std::error::Error>>(())
-    /// ```
+    /// The accuracy tests compute each written form both ways.
     #[must_use]
     pub fn with_fused_multiply_adds(self) -> Self {
         Self {

@@ -17,6 +17,7 @@ use linkage_compiler::ir::{Function, plain};
 /// let motion = assembly.results("motion", &[0.0]);
 /// assert_eq!(motion["height"], 0.0);
 /// assert_eq!(motion.vector("pin"), [30.0, 0.0]);
+/// assert_eq!(motion.numbers(), [30.0, 0.0, 0.0]);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Clone, Debug)]
@@ -56,7 +57,7 @@ impl Results<'_> {
         )
     }
 
-    /// Returns the components of a field that is a vector, or the numbers of an array.
+    /// Returns the components of a field that is a vector, or the `N` numbers of an array.
     ///
     /// # Panics
     ///
@@ -66,18 +67,6 @@ impl Results<'_> {
         let numbers = self.field(name);
         let components = numbers.try_into();
         components.unwrap_or_else(|_| panic!("`{name}` has {} numbers", numbers.len()))
-    }
-
-    /// Returns the entries of a field that is an array of vectors of `N` components.
-    ///
-    /// # Panics
-    ///
-    /// If no field has that name, or its numbers are no such vectors.
-    #[must_use]
-    pub fn vectors<const N: usize>(&self, name: &str) -> &[[f64; N]] {
-        let (vectors, rest) = self.field(name).as_chunks();
-        assert!(rest.is_empty(), "`{name}` has no vectors of {N} components");
-        vectors
     }
 }
 

@@ -34,9 +34,9 @@ pub(super) fn items(outline: &Outline, unit: &CompiledMechanism) -> TokenStream 
         false => quote!(#assembly::<T>::__extend(__states, *__inputs)),
     };
     let prepare = program(outline, &unit.prepare, body::outputs);
-    let gaps = over_core(outline, &unit.gaps, body::outputs);
-    let directions = over_core(outline, &unit.directions, body::pairs);
-    let bearings = program(outline, &unit.bearings, body::pairs);
+    let gaps = by_build(outline, &unit.gaps, body::outputs);
+    let directions = by_build(outline, &unit.directions, body::pairs);
+    let bearings = by_build(outline, &unit.bearings, body::pairs);
     let as_ref = quote!(impl #runtime::AsRef);
     quote! {
         impl<T: #runtime::Scalar> #runtime::Compiled for #name<T> {
@@ -83,32 +83,35 @@ pub(super) fn items(outline: &Outline, unit: &CompiledMechanism) -> TokenStream 
                 #prepare
             }
 
-            fn gaps(__core: &#runtime::CoreOf<Self>, __x: #arguments) -> #as_ref<[T]> { #gaps }
+            fn gaps(&self, __modes: &#modes, __prepared: &#prepared, __x: #arguments) -> #as_ref<[T]> {
+                #gaps
+            }
 
-            fn directions(__core: &#runtime::CoreOf<Self>, __x: #arguments) -> #as_ref<[[T; 2]]> {
+            fn directions(
+                &self,
+                __modes: &#modes,
+                __prepared: &#prepared,
+                __x: #arguments,
+            ) -> #as_ref<[[T; 2]]> {
                 #directions
             }
 
-            fn bearings(&self, __modes: &#modes) -> #as_ref<[[T; 2]]> {
-                const __FUSED: __p::bool = #runtime::FUSED;
-                let __m = self;
-                #bearings
-            }
+            fn bearings(&self, __modes: &#modes) -> #as_ref<[[T; 2]]> { #bearings }
         }
     }
 }
 
-/// A program over inputs, states and what is prepared, by the instructions of the build.
-pub(super) fn over_core(
+/// A program of the mechanism `self`, by the instructions of the build.
+fn by_build(
     outline: &Outline,
-    of_core: &Program,
+    of_mechanism: &Program,
     outputs: fn(&Program) -> TokenStream,
 ) -> TokenStream {
     let runtime = &outline.runtime;
-    let program = program(outline, of_core, outputs);
+    let program = program(outline, of_mechanism, outputs);
     quote! {
         const __FUSED: __p::bool = #runtime::FUSED;
-        let (__m, __modes, __prepared) = __core.loaded();
+        let __m = self;
         #program
     }
 }

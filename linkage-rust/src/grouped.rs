@@ -7,7 +7,7 @@ use proc_macro2::TokenStream;
 use quote::{format_ident, quote};
 
 use super::array_types::{Types, start_type, starts_type};
-use super::compiled::over_core;
+use super::compiled::program;
 use super::load::Places;
 use super::outline::Outline;
 use super::{body, literal};
@@ -31,7 +31,7 @@ pub(super) fn items(outline: &Outline, unit: &CompiledMechanism) -> TokenStream 
         true => quote!((#(#starts,)*)),
         false => quote!(()),
     };
-    let survey = over_core(outline, &unit.survey, body::outputs);
+    let survey = program(outline, &unit.survey, body::outputs);
     let state = outline.starts.iter().enumerate().map(|(number, start)| {
         let first = places.state(number, 0);
         let [number, first, end] = [number, first, first + start.size].map(literal::index);
@@ -49,7 +49,11 @@ pub(super) fn items(outline: &Outline, unit: &CompiledMechanism) -> TokenStream 
 
                 fn states(&self, __lanes: &[[#runtime::Start; #count]]) -> #states { #starts }
 
-                fn survey(__core: &#runtime::CoreOf<Self>, __x: #arguments) -> [T; #numbers] { #survey }
+                fn survey(__core: &#runtime::CoreOf<Self>, __x: #arguments) -> [T; #numbers] {
+                    const __FUSED: __p::bool = #runtime::FUSED;
+                    let (__m, __modes, __prepared) = __core.loaded();
+                    #survey
+                }
 
                 fn state_mut(__x: &mut #arguments, __number: __p::usize) -> &mut [T] {
                     match __number { #(#state)* _ => &mut [] }

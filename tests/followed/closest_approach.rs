@@ -1,13 +1,14 @@
 //! What is said where estimates lead to no assembly: whether the loops close all the same, and by how much they miss where they come nearest to
 //! it.
 
-use linkage::{AssemblyError, ClosestApproach, CoupledCause, Missed, mechanism};
+use linkage::{AssemblyError, ClosestApproach, CoupledCause, Missed};
+use linkage_interpreted::interpreted;
 use nalgebra::{UnitQuaternion, Vector3};
 
 use super::body::Axle;
 use super::independent::{Pose, Rods};
 
-mechanism! {
+interpreted! {
     /// On legs of one length, from pairs of feet below the gaps between pairs of joints.
     pub struct Platform {
         unit mm;

@@ -1,11 +1,11 @@
 //! A double wishbone by the travel of the wheel and of the rack, its ball joints and its wheel as points: eleven unknowns remain. With the arms
 //! as angles seven do.
 
-use linkage::mechanism;
+use linkage_interpreted::interpreted;
 
 use super::{close, number, numbers, read};
 
-mechanism! {
+interpreted! {
     /// Ball joints `lower`, `upper` and `rod`, the wheel at `wheel`.
     pub struct DoubleWishbone {
         unit mm;
@@ -90,7 +90,7 @@ fn the_wheel_is_where_it_was_computed_with_80_digits() {
     assert_eq!((nothing, adjusted), (0, 60));
 }
 
-mechanism! {
+interpreted! {
     /// The arms turn about their axes; the wheel hangs on the three ball joints. Four unknowns remain, few enough for a listing, although many
     /// paths end far out, close to each other.
     pub struct TurningArms {

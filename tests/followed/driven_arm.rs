@@ -1,10 +1,10 @@
 //! A double wishbone whose lower arm is driven: one joint follows from the other, all in closed form.
 
-use linkage::mechanism;
+use linkage_interpreted::interpreted;
 
 use super::{close, number, numbers, read};
 
-mechanism! {
+interpreted! {
     pub struct DrivenArm {
         unit mm;
         input arm = 0deg in -15deg..15deg;
@@ -37,7 +37,7 @@ mechanism! {
 /// By the travel of the wheel the references know the angles of both arms and how these change.
 #[test]
 fn the_wheel_is_where_the_arm_leads_it() {
-    let kinds = DrivenArm::STRUCTURE.groups.iter().map(|group| group.kind);
+    let kinds = DrivenArm::structure().groups.iter().map(|group| group.kind);
     let kinds: Vec<&str> = kinds.collect();
     assert_eq!(kinds, ["SSR", "three distances", "three distances"]);
     let suspension = DrivenArm::default().assemble().expect("it assembles");

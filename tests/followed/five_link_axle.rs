@@ -1,10 +1,11 @@
 //! A wheel carrier on five rods with ball joints, by the travel of the wheel: eight unknowns remain.
 
-use linkage::{AssemblyError, ClosestApproach, CoupledCause, Missed, Unlisted, mechanism};
+use linkage::{AssemblyError, ClosestApproach, CoupledCause, Missed, Unlisted};
+use linkage_interpreted::interpreted;
 
 use super::{close, number, numbers, read};
 
-mechanism! {
+interpreted! {
     /// The wheel is at `p`; its carrier has the directions `x`, `y` and `z`.
     pub struct FiveLinkAxle {
         unit mm;
@@ -54,7 +55,7 @@ fn references() -> Vec<serde_json::Value> {
 #[test]
 fn the_wheel_is_where_it_was_computed_with_80_digits() {
     let axle = FiveLinkAxle::default().assemble().expect("it assembles");
-    let method = FiveLinkAxle::<f64>::STRUCTURE.groups[1].method;
+    let method = FiveLinkAxle::structure().groups[1].method;
     // Three loops of degree 2, five of degree 4, as `y` and `z` are written.
     assert_eq!(
         method,
@@ -114,7 +115,7 @@ fn sensitivities_are_those_computed_with_80_digits() {
 
 #[test]
 fn rough_estimates_lead_to_the_assembly_of_a_larger_axle_too() {
-    let own = FiveLinkAxle::<f64>::default();
+    let own = FiveLinkAxle::default();
     let larger = FiveLinkAxle {
         l1: own.l1 + 1.5,
         l2: own.l2 - 1.0,

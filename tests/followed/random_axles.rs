@@ -14,7 +14,7 @@ const DEAD: f64 = 0.1;
 
 #[test]
 fn random_axles_travel_as_an_independent_solver_says() {
-    let own = FiveLinkAxle::<f64>::default();
+    let own = FiveLinkAxle::default();
     let mut random = Random::new(3);
     let count = if long() { 1000 } else { 3 };
     let (mut served, mut ended, mut otherwise) = (0, 0, Vec::new());

@@ -1,11 +1,11 @@
 //! How a followed body turns, where an input moves it, changes the length of a rod, and changes where on the body that rod ends: each
 //! derivative against differences of the one before it.
 
-use linkage::mechanism;
+use linkage_interpreted::interpreted;
 
 use super::differences::{STEP, near};
 
-mechanism! {
+interpreted! {
     pub struct Shimmed {
         unit mm;
         param l1 = 287.31515797117283314mm;
@@ -35,7 +35,7 @@ mechanism! {
     }
 }
 
-mechanism! {
+interpreted! {
     /// The first rod ends beside the body, in the direction across its own x axis and an axis that is fixed: no body carries that as it is.
     pub struct Offset {
         unit mm;

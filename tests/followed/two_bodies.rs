@@ -3,7 +3,8 @@
 
 mod held;
 
-use linkage::{Dimensions, mechanism};
+use linkage::Dimensions;
+use linkage_interpreted::interpreted;
 use linkage_random::Random;
 use nalgebra::{UnitQuaternion, Vector3};
 
@@ -12,7 +13,7 @@ use super::independent::Pose;
 use super::long;
 use held::{End, Held};
 
-mechanism! {
+interpreted! {
     pub struct Cradled {
         unit mm;
         param wheel1 = (-140mm, -60mm, 130mm);    // on the carrier, of the rods to the ground
@@ -115,7 +116,7 @@ fn estimates() -> [Pose; 2] {
 /// How far both solvers may be apart, in radians and [`RADIUS`].
 const APART: f64 = 1e-11;
 
-fn away(poses: &[Pose; 2], found: &Bodies<f64>) -> f64 {
+fn away(poses: &[Pose; 2], found: &Bodies) -> f64 {
     let cradle = poses[1].away(found.q, found.u, found.v);
     poses[0].away(found.p, found.x, found.y).max(cradle)
 }
@@ -136,7 +137,7 @@ fn both_are_where_an_independent_solver_puts_them() {
         let away = away(&poses, &assembly.bodies(travel, 0.0));
         assert!(away < APART, "{away:e} at {travel}");
     }
-    let structure = Cradled::<f64>::STRUCTURE.groups[1];
+    let structure = Cradled::structure().groups[1];
     assert!(structure.method.starts_with("followed from the estimates"));
 }
 
@@ -175,7 +176,7 @@ fn sensitivities_are_those_of_other_dimensions() {
     let own = Cradled::default();
     let assembly = own.assemble().expect("it assembles");
     let of_one = |name: &str| {
-        let all = Cradled::<f64>::PARAMETERS.iter().enumerate();
+        let all = Cradled::parameters().iter().enumerate();
         let own = all.filter(|(_, own)| own.name.split('.').next() == Some(name));
         own.map(|(k, _)| k).collect::<Vec<usize>>()
     };
@@ -203,7 +204,7 @@ fn sensitivities_are_those_of_other_dimensions() {
 
 #[test]
 fn random_ones_travel_as_an_independent_solver_says() {
-    let own = Cradled::<f64>::default();
+    let own = Cradled::default();
     let mut random = Random::new(7);
     let (mut served, mut refused, mut otherwise) = (0, 0, Vec::new());
     for number in 0..if long() { 1000 } else { 5 } {

@@ -1,11 +1,11 @@
 //! Other natural forms of a double wishbone whose arms turn: its wheel as a point of three distances, and driven by the height of the joint of the
 //! tie rod. The first has too many unknowns for a listing, of the second all assemblies are listed.
 
-use linkage::mechanism;
+use linkage_interpreted::interpreted;
 
 use super::{close, number, numbers, read};
 
-mechanism! {
+interpreted! {
     pub struct WheelByDistances {
         unit mm;
         input travel = 0mm in -80mm..80mm;
@@ -34,7 +34,7 @@ mechanism! {
     }
 }
 
-mechanism! {
+interpreted! {
     pub struct ByTieRod {
         unit mm;
         input height = 258mm in 175mm..340mm;
@@ -69,7 +69,10 @@ fn references() -> Vec<serde_json::Value> {
 
 #[test]
 fn a_wheel_at_three_distances_is_where_it_was_computed_with_80_digits() {
-    let group = WheelByDistances::STRUCTURE.groups.last().expect("a group");
+    let group = WheelByDistances::structure()
+        .groups
+        .last()
+        .expect("a group");
     assert!(group.method.starts_with("followed from the estimates"));
     let suspension = WheelByDistances::default()
         .assemble()

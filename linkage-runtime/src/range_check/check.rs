@@ -25,7 +25,13 @@ pub fn check_range_of<C: PlainGroups>(assembly: &C::Assembly) -> RangeReport {
             .arguments(AssemblyData::starts(data), &inputs)
     };
     let survey = |x: &[f64]| C::survey(core, arguments(x)).as_ref().to_vec();
-    let gaps = |x: &[f64]| C::gaps(core, arguments(x)).as_ref().to_vec();
+    let gaps = |x: &[f64]| {
+        let (mechanism, modes, prepared) = core.loaded();
+        mechanism
+            .gaps(modes, prepared, arguments(x))
+            .as_ref()
+            .to_vec()
+    };
     check_range(&ranged, &survey, &gaps)
 }
 

@@ -45,8 +45,8 @@ fn the_surface_is_complete() {
         &[
             "pub struct SliderCrank<T = ::core::primitive::f64> {",
             "pub pivot: ::linkage::__private::Vector2<T>,",
-            "Self::__of(|__k| Self::PARAMETERS[__k].nominal)",
-            "__p::parameter(\"pivot.y\", \"mm\", (-2.0f64), 0.0f64),",
+            "__p::Vector2::new(__number(0), __number(1)),",
+            "__p::parameter(\"pivot.y\", \"mm\", (-2.0f64), 0.0f64)",
             "/// Length of the crank.\n    ///\n    /// In mm; default 10.\n    pub crank: T,",
             "/// `pivot`, in mm; default (1, -2), tolerance (0.5, 0).",
             "pub const INDEX_PIVOT_Y: __p::usize = 1;",

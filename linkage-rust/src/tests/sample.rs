@@ -281,7 +281,7 @@ fn unit() -> CompiledMechanism {
         name: scalar.name.clone(),
         documentation: String::new(),
         shape: Shape::Scalar,
-        is_link_length: false,
+        is_link_length: true,
         scalars: vec![scalar],
     };
     CompiledMechanism {

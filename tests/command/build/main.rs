@@ -1,5 +1,5 @@
-//! Writes a module for each mechanism of the folder `mechanisms`, of the golden files and of the corpus: the mechanism as the macro takes it,
-//! and how its functions are called with a list of numbers.
+//! Writes a module for each mechanism of the folder `mechanisms`, of the golden files, of `kinds.rs`, of some tests and of the corpus: the
+//! mechanism as the macro takes it, and how its functions are called with a list of numbers.
 
 mod chosen;
 
@@ -23,6 +23,18 @@ struct Entry {
     unit: CompiledMechanism,
 }
 
+/// Tests by the engine with kinds of groups, tables or operations that nothing else has.
+const TESTS: [&str; 8] = [
+    "forces/gears.rs",
+    "forces/statics.rs",
+    "functions/far_sizes.rs",
+    "space/sarrus.rs",
+    "space/stacked.rs",
+    "triads/many_inputs.rs",
+    "triads/pinned.rs",
+    "triads/scissors.rs",
+];
+
 fn main() {
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("../..");
     let mut entries = Vec::new();
@@ -32,20 +44,26 @@ fn main() {
     ] {
         println!("cargo:rerun-if-changed={}", root.join(folder).display());
         for path in files(&root.join(folder), ending) {
-            let source = Source::read(&path).expect("a mechanism");
-            for (number, found) in source.calls().iter().enumerate() {
-                entries.push(entry(ending, &path, number, &source, found));
-            }
+            entries.extend(calls(ending, &path));
         }
     }
+    let kinds = Path::new(env!("CARGO_MANIFEST_DIR")).join("kinds.rs");
+    entries.extend(calls("kinds", &kinds));
     let out = PathBuf::from(env::var_os("OUT_DIR").expect("cargo says it"));
     let written = entries.len();
+    for file in TESTS {
+        let path = root.join("tests").join(file);
+        println!("cargo:rerun-if-changed={}", path.display());
+        let text = fs::read_to_string(path).expect("a test");
+        let own = out.join(file.replace('/', "_"));
+        fs::write(&own, text.replace("interpreted! {", "mechanism! {")).expect("it can be written");
+        entries.extend(calls("tests", &own));
+    }
     for seed in 0..COUNT {
         let path = out.join(format!("{seed}.mech"));
         fs::write(&path, sample(seed, &format!("Generated{seed}")).text)
             .expect("it can be written");
-        let source = Source::read(&path).expect("a mechanism");
-        entries.push(entry("corpus", &path, 0, &source, &source.calls()[0]));
+        entries.extend(calls("corpus", &path));
     }
     println!("cargo:rerun-if-env-changed=LINKAGE_LONG");
     let long = env::var_os("LINKAGE_LONG").is_some();
@@ -69,6 +87,15 @@ fn main() {
         "\n/// All of them.\npub fn all() -> Vec<Subject> {{\n    vec![\n{list}    ]\n}}\n"
     );
     fs::write(out.join("mechanisms.rs"), text).expect("it can be written");
+}
+
+/// The mechanisms of a file.
+fn calls(kind: &str, path: &Path) -> Vec<Entry> {
+    let source = Source::read(path).expect("a mechanism");
+    let calls = source.calls().iter().enumerate();
+    calls
+        .map(|(number, found)| entry(kind, path, number, &source, found))
+        .collect()
 }
 
 fn entry(

@@ -53,10 +53,10 @@ pub(crate) fn mechanism(
     let (results, calls): (Vec<_>, Vec<_>) = functions.into_iter().unzip();
     quote! {
         #[derive(Clone, Copy, Debug, PartialEq)]
-        #[allow(dead_code)]
+        #[allow(dead_code, missing_docs, unreachable_pub, clippy::all)]
         #visibility struct #name { #(#fields),* }
 
-        #[allow(dead_code, unreachable_pub)]
+        #[allow(dead_code, missing_docs, unreachable_pub, clippy::all)]
         impl #name {
             /// The number of scalar parameters.
             pub const SCALARS: usize = #count;
@@ -109,10 +109,10 @@ pub(crate) fn mechanism(
         }
 
         #[derive(Clone, Debug)]
-        #[allow(dead_code)]
+        #[allow(dead_code, missing_docs, unreachable_pub, clippy::all)]
         #visibility struct #assembly(pub ::linkage_engine::Assembly<'static>);
 
-        #[allow(dead_code, unreachable_pub)]
+        #[allow(dead_code, missing_docs, unreachable_pub, clippy::all)]
         impl #assembly {
             /// The mode of each group that has two.
             pub fn modes(&self) -> &[::linkage_engine::AssemblyMode] {
@@ -236,7 +236,7 @@ fn function(
     });
     let result_type = quote! {
         #[derive(Clone, Copy, Debug, PartialEq)]
-        #[allow(dead_code)]
+        #[allow(dead_code, missing_docs, unreachable_pub, clippy::all)]
         #visibility struct #result { #(#types),* }
 
         impl #result {

@@ -461,9 +461,14 @@ const _: () = {
             let __v16 = -__v12;
             [__v0, __v6, __v7, __v9, __v11, __v12, __v13, __v15, __v16]
         }
-        fn gaps(__core: &__p::CoreOf<Self>, __x: [T; 1]) -> impl __p::AsRef<[T]> {
+        fn gaps(
+            &self,
+            __modes: &[__p::AssemblyMode; 1],
+            __prepared: &[T; 9],
+            __x: [T; 1],
+        ) -> impl __p::AsRef<[T]> {
             const __FUSED: __p::bool = __p::FUSED;
-            let (__m, __modes, __prepared) = __core.loaded();
+            let __m = self;
             let __v0 = __prepared[1];
             let __v1 = __m.offset;
             let __v2 = __m.crank;
@@ -487,11 +492,13 @@ const _: () = {
             [__v20]
         }
         fn directions(
-            __core: &__p::CoreOf<Self>,
+            &self,
+            __modes: &[__p::AssemblyMode; 1],
+            __prepared: &[T; 9],
             __x: [T; 1],
         ) -> impl __p::AsRef<[[T; 2]]> {
             const __FUSED: __p::bool = __p::FUSED;
-            let (__m, __modes, __prepared) = __core.loaded();
+            let __m = self;
             []
         }
         fn bearings(

@@ -1,7 +1,6 @@
 //! What one program gives at one position, as plain numbers.
 
-use crate::Fused;
-use nalgebra::{Vector2, Vector3};
+use nalgebra::Vector2;
 
 /// Everything that a test program is asked for at one position.
 #[derive(Clone, Debug, Default)]
@@ -39,19 +38,7 @@ impl Components for f64 {
     }
 }
 
-impl Components for Fused {
-    fn components(&self) -> Vec<f64> {
-        vec![self.0]
-    }
-}
-
 impl<T: Components> Components for Vector2<T> {
-    fn components(&self) -> Vec<f64> {
-        self.iter().flat_map(Components::components).collect()
-    }
-}
-
-impl<T: Components> Components for Vector3<T> {
     fn components(&self) -> Vec<f64> {
         self.iter().flat_map(Components::components).collect()
     }
@@ -62,24 +49,5 @@ pub fn concatenate(results: &[&dyn Components]) -> Vec<f64> {
     results
         .iter()
         .flat_map(|result| result.components())
-        .collect()
-}
-
-/// The numbers of every entry of an array.
-pub fn rows<C: Components>(results: &[C]) -> Vec<Vec<f64>> {
-    results.iter().map(Components::components).collect()
-}
-
-/// Arrays with one entry for each parameter, one array for each result, turned into one list for
-/// each parameter.
-pub fn by_column(results: &[Vec<Vec<f64>>]) -> Vec<Vec<f64>> {
-    let parameters = results.first().map_or(0, Vec::len);
-    (0..parameters)
-        .map(|p| {
-            results
-                .iter()
-                .flat_map(|result| result[p].clone())
-                .collect()
-        })
         .collect()
 }

@@ -40,7 +40,7 @@ mod standing;
 mod system;
 mod uncertainty;
 
-pub use answers::{Answers, Components, by_column, concatenate, rows};
+pub use answers::{Answers, Components, concatenate};
 pub use big::{BITS, Big};
 pub use cases::{
     Plan, cycle_cases, dead_point_cases, decade_cases, far_input_cases, nearby_cases,

@@ -1,11 +1,11 @@
 //! Assembling in given modes from given initial states.
 
 use super::close::{close, explained, finite};
-use super::compiled::{Compiled, CoreOf};
-use super::preparation::{core, lane_inputs};
+use super::compiled::Compiled;
+use super::preparation::{lane_inputs, prepared};
 use super::winding::{at_estimates, by_lane, wind};
 use crate::error::AssemblyError;
-use crate::support::assembly_data::AssemblyData;
+use crate::support::assembly_data::{AssemblyData, Core};
 
 /// The assembly of a mechanism without coupled groups that the start estimates choose.
 ///
@@ -58,10 +58,23 @@ pub(super) fn with_states<C: Compiled>(
         // If a loop does not close, the error is about that loop.
         Err(unknown) => (at_estimates(mechanism), Some(unknown)),
     };
-    let core = core(mechanism, &modes, revolutions);
-    check_gaps(&core, mechanism.arguments(&states, at))?;
+    let prepared = prepared(mechanism, &modes, &revolutions);
+    check_gaps(
+        mechanism,
+        &modes,
+        &prepared,
+        mechanism.arguments(&states, at),
+    )?;
     match unknown {
-        None => Ok(C::assembly(AssemblyData::new(core, states))),
+        None => {
+            let core = Core {
+                dimensions: mechanism.clone(),
+                modes,
+                revolutions,
+                prepared,
+            };
+            Ok(C::assembly(AssemblyData::new(core, states)))
+        }
         Some(unknown) => Err(AssemblyError::NoWinding {
             mechanism: mechanism.description().name,
             unknown,
@@ -71,9 +84,11 @@ pub(super) fn with_states<C: Compiled>(
 
 /// Fails at the first group that does not close.
 pub(super) fn check_gaps<C: Compiled>(
-    core: &CoreOf<C>,
+    mechanism: &C,
+    modes: &C::Modes,
+    prepared: &C::Prepared,
     x: C::Arguments,
 ) -> Result<(), AssemblyError> {
-    let gaps = C::gaps(core, x);
-    close(core.dimensions.description(), gaps.as_ref())
+    let gaps = mechanism.gaps(modes, prepared, x);
+    close(mechanism.description(), gaps.as_ref())
 }

@@ -9,7 +9,7 @@ use super::close::{explained, finite};
 use super::group_programs::GroupPrograms;
 use super::grouped::{Grouped, PlainGroups, no_states};
 use super::list::List;
-use super::preparation::{core, lane_inputs};
+use super::preparation::{lane_inputs, prepared};
 use super::winding::at_estimates;
 use crate::error::AssemblyError;
 use crate::support::coupled::{InitialState, Which, initial_states};
@@ -191,8 +191,13 @@ where
     C: Grouped,
 {
     let states = mechanism.states(&no_states(mechanism));
-    let core = core(mechanism, modes, at_estimates(mechanism));
-    match check_gaps(&core, mechanism.arguments(&states, at)) {
+    let prepared = prepared(mechanism, modes, &at_estimates(mechanism));
+    match check_gaps(
+        mechanism,
+        modes,
+        &prepared,
+        mechanism.arguments(&states, at),
+    ) {
         Err(error @ AssemblyError::CannotClose { .. }) => Err(error),
         _ => Ok(()),
     }

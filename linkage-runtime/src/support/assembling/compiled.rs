@@ -93,10 +93,20 @@ pub trait Compiled: Clone {
     ) -> Self::Prepared;
 
     /// The gaps by which groups miss closing.
-    fn gaps(core: &CoreOf<Self>, x: Self::Arguments) -> impl AsRef<[Self::Scalar]>;
+    fn gaps(
+        &self,
+        modes: &Self::Modes,
+        prepared: &Self::Prepared,
+        x: Self::Arguments,
+    ) -> impl AsRef<[Self::Scalar]>;
 
     /// Cosine and sine of each continuous angle.
-    fn directions(core: &CoreOf<Self>, x: Self::Arguments) -> impl AsRef<[[Self::Scalar; 2]]>;
+    fn directions(
+        &self,
+        modes: &Self::Modes,
+        prepared: &Self::Prepared,
+        x: Self::Arguments,
+    ) -> impl AsRef<[[Self::Scalar; 2]]>;
 
     /// The vectors of the phases of all continuous angles, one angle after the other.
     fn bearings(&self, modes: &Self::Modes) -> impl AsRef<[[Self::Scalar; 2]]>;

@@ -17,25 +17,33 @@ pub(super) fn lane_inputs<C: Compiled>(
     List::list(count, |input| at.as_ref()[input].lane(lane))
 }
 
-/// The data of an assembly with these revolutions, by the instructions that calls choose: numbers
-/// that calls compute, too, are the same to the last bit.
+/// The data of an assembly with these revolutions.
 pub(super) fn core<C: Compiled>(
     mechanism: &C,
     modes: &C::Modes,
     revolutions: RevolutionsOf<C>,
 ) -> CoreOf<C> {
-    let data = Unprepared {
-        mechanism,
-        modes,
-        revolutions: &revolutions,
-    };
-    let prepared = dispatch_function::<Preparation, _, C::Scalar, _, 0>(&data, []);
     Core {
         dimensions: mechanism.clone(),
         modes: modes.clone(),
+        prepared: prepared(mechanism, modes, &revolutions),
         revolutions,
-        prepared,
     }
+}
+
+/// The numbers that depend on dimensions, modes and revolutions alone, by the instructions that
+/// calls choose: those that calls compute, too, are the same to the last bit.
+pub(super) fn prepared<C: Compiled>(
+    mechanism: &C,
+    modes: &C::Modes,
+    revolutions: &RevolutionsOf<C>,
+) -> C::Prepared {
+    let data = Unprepared {
+        mechanism,
+        modes,
+        revolutions,
+    };
+    dispatch_function::<Preparation, _, C::Scalar, _, 0>(&data, [])
 }
 
 /// An assembly to prepare.

@@ -5,7 +5,7 @@ use linkage_core::numeric::winding::{Centre, follow, uniform};
 
 use super::compiled::{Compiled, RevolutionsOf};
 use super::list::List;
-use super::preparation::core;
+use super::preparation::prepared;
 use super::revolutions::{Along, Angle, Revolutions};
 
 /// Centres at the start estimates, no winding: right at the reference position.
@@ -105,9 +105,11 @@ fn wind_from<C: Compiled<Scalar = f64>>(
     for (index, angle) in angles.iter().enumerate().take(count) {
         let (vectors, rest) = phases.split_at(angle.phases.len());
         phases = rest;
-        let core = core(mechanism, modes, revolutions.clone());
-        let direction =
-            |x: &C::Inputs| C::directions(&core, mechanism.arguments(states, x)).as_ref()[index];
+        let prepared = prepared(mechanism, modes, &revolutions);
+        let direction = |x: &C::Inputs| {
+            let x = mechanism.arguments(states, x);
+            mechanism.directions(modes, &prepared, x).as_ref()[index]
+        };
         let mut along = |input: usize, x: f64| {
             let mut inputs = start.clone();
             inputs.as_mut()[input] = x;
@@ -122,8 +124,8 @@ fn wind_from<C: Compiled<Scalar = f64>>(
 }
 
 /// Centre and windings of one angle, from the vectors of its phases or by following it. `here` is
-/// its cosine and sine at the start, `direction` those where an input has another value. One
-/// function for all mechanisms: their code is compiled often enough.
+/// its cosine and sine at the start, `direction` those where an input has another value.
+#[inline]
 fn wind_one(
     angle: &Angle,
     phases: &[[f64; 2]],
@@ -147,6 +149,7 @@ fn wind_one(
 }
 
 /// Centre and windings of an angle that is `here` at the start, followed along each of its inputs.
+/// One function for all mechanisms: their code is compiled often enough.
 fn follow_inputs(
     angle: &Angle,
     start: &[f64],

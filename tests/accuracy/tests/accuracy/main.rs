@@ -1,0 +1,27 @@
+//! Every kind of group against a reference of 154 digits; laws of motion, splines, cams and elementary
+//! functions; identities of derivatives; other numbers than `f64`.
+
+mod cams;
+mod chain_of_ten;
+mod chains;
+mod coupled;
+mod coupled_scalars;
+mod cylinder;
+mod driver;
+mod dyads_rpr;
+mod dyads_rrp;
+mod dyads_rrr;
+mod dyads_slides;
+mod elementary;
+mod identities;
+mod laws;
+mod other_dimensions;
+mod quick_return;
+mod reference;
+mod scalar_loops;
+mod scalars;
+mod space;
+mod true_motion;
+mod turning_points;
+mod turns;
+mod two_inputs;
