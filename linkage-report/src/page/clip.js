@@ -39,9 +39,9 @@ function clipCanvas() {
   return { canvas, paint, show, first };
 }
 
-// The most pictures until the browser records, and milliseconds after the last one.
+// The most pictures until the browser records, and milliseconds without data after which it has recorded all.
 const FILM_WAITS = 100;
-const FILM_REST = 300;
+const FILM_REST = 1500;
 
 // The kind of film that the browser records; none if it does not.
 const FILM_KIND = ["webm", "mp4"].find((kind) => globalThis.MediaRecorder?.isTypeSupported(`video/${kind}`));
@@ -52,29 +52,33 @@ async function recordedFilm() {
   await show(first);
   const parts = [];
   const wait = (milliseconds) => new Promise((done) => { setTimeout(done, milliseconds); });
-  // A picture whenever one is asked for.
-  const stream = canvas.captureStream(0);
-  const [track] = stream.getVideoTracks();
+  // A canvas gives its pictures with those of the screen.
+  const shown = () => new Promise((done) => { requestAnimationFrame(done); });
+  const stream = canvas.captureStream(CLIP.film);
   const recorder = new MediaRecorder(stream, { mimeType: `video/${FILM_KIND}`, videoBitsPerSecond: 4e6 });
-  recorder.addEventListener("dataavailable", ({ data }) => parts.push(data));
+  let last = 0;
+  recorder.addEventListener("dataavailable", ({ data }) => {
+    parts.push(data);
+    if (data.size > 0) last = performance.now();
+  });
   const stopped = new Promise((done) => { recorder.addEventListener("stop", done); });
   recorder.start(1);
   // Pictures are lost until the browser is ready to record, which its first data show.
   for (let k = 0; k < FILM_WAITS && parts.every(({ size }) => size === 0); k += 1) {
     await show(first);
-    track.requestFrame();
-    await wait(1000 / CLIP.film);
+    await shown();
   }
   const begin = performance.now();
   const seconds = clipSeconds();
   for (let now = 0; now < seconds; now = (performance.now() - begin) / 1000) {
     await show(clipRow(now / seconds));
-    track.requestFrame();
     const next = Math.ceil(((performance.now() - begin) * CLIP.film) / 1000) / CLIP.film;
     await wait(begin + 1000 * next - performance.now());
+    await shown();
   }
   // The last pictures are still on their way.
-  await wait(FILM_REST);
+  last = performance.now();
+  while (performance.now() - last < FILM_REST) await wait(FILM_REST / 4);
   recorder.stop();
   await stopped;
   return new Blob(parts, { type: `video/${FILM_KIND}` });
