@@ -31,6 +31,8 @@ pub struct Report {
     pub(super) dimensions: Vec<Dimension>,
     pub(super) speed: Option<Speed>,
     pub(super) traces: Vec<String>,
+    /// Points, and the vectors that are forces at them.
+    pub(super) forces: Vec<(String, String)>,
     /// Azimuth and elevation.
     pub(super) view: Option<[f64; 2]>,
     pub(super) summary: Vec<SummaryRow>,
@@ -83,6 +85,7 @@ impl Report {
             dimensions: Vec::new(),
             speed: None,
             traces: Vec::new(),
+            forces: Vec::new(),
             view: None,
             summary: Vec::new(),
             figures: Vec::new(),
@@ -164,6 +167,14 @@ impl Report {
     #[must_use]
     pub fn trace(mut self, point: impl Into<String>) -> Self {
         self.traces.push(point.into());
+        self
+    }
+
+    /// A force that the page shows as an arrow at a point of the picture: a vector of the tables,
+    /// whose components are `b.x` and `b.y` for the quantity `b`.
+    #[must_use]
+    pub fn force(mut self, point: impl Into<String>, quantity: impl Into<String>) -> Self {
+        self.forces.push((point.into(), quantity.into()));
         self
     }
 

@@ -7,7 +7,7 @@ use super::builder::Report;
 use super::positioned_picture::{drawn_names, point_named};
 use super::tables::Saved;
 use super::{glyphs, machine, positioned_picture, rates, tables};
-use linkage_core::Meaning;
+use linkage_core::{Meaning, Picture};
 use linkage_formats::{Mistake, ReportError};
 
 /// Returns all mistakes of a report as an error.
@@ -105,12 +105,34 @@ fn check_picture(report: &Report, mistakes: &mut Vec<Mistake>) {
         }
         return;
     };
+    check_forces(report, shown.picture, mistakes);
     for name in &report.traces {
         if point_named(shown.picture, name).is_none() {
             mistakes.push(Mistake::Unknown {
                 kind: "point",
                 name: name.to_string(),
                 known: drawn_names(shown.picture),
+            });
+        }
+    }
+}
+
+fn check_forces(report: &Report, picture: &Picture, mistakes: &mut Vec<Mistake>) {
+    let names = || report.tables.iter().flat_map(Saved::columns);
+    let vectors = || names().filter_map(|(column, _)| column.name.strip_suffix(".x"));
+    for (point, quantity) in &report.forces {
+        if point_named(picture, point).is_none() {
+            mistakes.push(Mistake::Unknown {
+                kind: "point",
+                name: point.clone(),
+                known: drawn_names(picture),
+            });
+        }
+        if !vectors().any(|name| name == quantity) {
+            mistakes.push(Mistake::Unknown {
+                kind: "vector",
+                name: quantity.clone(),
+                known: vectors().map(String::from).collect(),
             });
         }
     }

@@ -11,7 +11,7 @@ use std::vec::Vec;
 use super::accuracy::BandKind;
 use super::builder::Report;
 use super::palette::{Palette, Style};
-use super::positioned_picture::PositionedPicture;
+use super::positioned_picture::{PositionedPicture, point_named};
 use super::rates::True;
 use super::tables::Saved;
 use super::traced_points::traced_points;
@@ -201,6 +201,13 @@ fn picture_value(
         "traces": traced_points(report, shown),
     });
     signs::add(&mut value, shown);
+    if !report.forces.is_empty() {
+        let forces = report.forces.iter();
+        value["forces"] = json!(list(forces, |(point, quantity)| json!({
+            "point": point_named(picture, point),
+            "quantity": quantity,
+        })));
+    }
     if let Some(view) = report.view {
         value["view"] = json!(view);
     }

@@ -21,7 +21,7 @@ const STYLES: [&str; 7] = [
     include_str!("page/print.css"),
 ];
 /// Joined in this order; the last one starts the page.
-const SCRIPTS: [&str; 45] = [
+const SCRIPTS: [&str; 46] = [
     include_str!("page/dom.js"),
     include_str!("page/fresh.js"),
     include_str!("page/numbers.js"),
@@ -41,9 +41,8 @@ const SCRIPTS: [&str; 45] = [
     include_str!("page/points.js"),
     include_str!("page/traces.js"),
     include_str!("page/vectors.js"),
+    include_str!("page/photo.js"),
     include_str!("page/drawing.js"),
-    include_str!("page/cyclogram.js"),
-    include_str!("page/moments.js"),
     include_str!("page/stack.js"),
     include_str!("page/grip.js"),
     include_str!("page/gestures.js"),
@@ -61,6 +60,8 @@ const SCRIPTS: [&str; 45] = [
     include_str!("page/values.js"),
     include_str!("page/export.js"),
     include_str!("page/film.js"),
+    include_str!("page/clip.js"),
+    include_str!("page/gif.js"),
     include_str!("page/dxf.js"),
     include_str!("page/downloads.js"),
     include_str!("page/theme.js"),
@@ -69,11 +70,18 @@ const SCRIPTS: [&str; 45] = [
     include_str!("page/start.js"),
 ];
 
+/// Scripts of a page with a cyclogram, and those that are in their place without one.
+const CYCLOGRAM: [&str; 2] = [
+    include_str!("page/cyclogram.js"),
+    include_str!("page/moments.js"),
+];
+const NO_CYCLOGRAM: &str = include_str!("page/no_cyclogram.js");
+
 const START: usize = SCRIPTS.len() - 1;
 
 /// Styles and scripts of a page that computes, before the last script.
 const LIVE_STYLE: &str = include_str!("page/live/live.css");
-const LIVE: [&str; 20] = [
+const LIVE: [&str; 21] = [
     include_str!("page/live/model.js"),
     include_str!("page/live/derived.js"),
     include_str!("page/live/reason.js"),
@@ -93,6 +101,7 @@ const LIVE: [&str; 20] = [
     include_str!("page/live/text.js"),
     include_str!("page/live/typed.js"),
     include_str!("page/live/fields.js"),
+    include_str!("page/live/runs.js"),
     include_str!("page/live/controls.js"),
 ];
 
@@ -109,6 +118,7 @@ pub(super) fn page_html(report: &Report) -> Result<String, ReportError> {
     let script = engine_script(report)
         + &joint_signs::page_constant(joints)
         + &SCRIPTS[..START].join("\n")
+        + &cyclogram_script(report)
         + &live_script(report)
         + SCRIPTS[START]
         + &follow_script(report.version);
@@ -146,6 +156,14 @@ fn content_policy(report: &Report) -> String {
     std::format!(
         "default-src 'none'; script-src 'unsafe-inline'{follow}; style-src 'unsafe-inline'; img-src data: blob:; connect-src blob:; base-uri 'none'; form-action 'none'"
     )
+}
+
+fn cyclogram_script(report: &Report) -> String {
+    let script = match report.cyclogram {
+        Some(_) => CYCLOGRAM.join("\n"),
+        None => String::from(NO_CYCLOGRAM),
+    };
+    std::format!("\n{script}")
 }
 
 fn live_script(report: &Report) -> String {
@@ -197,8 +215,9 @@ mod tests {
             .chain(&LIVE)
             .chain(&ENGINE)
             .chain(&MODULE)
+            .chain(&CYCLOGRAM)
             .chain(&LIVE_CYCLE)
-            .chain([&OTHERS]);
+            .chain([&NO_CYCLOGRAM, &OTHERS]);
         for line in all.flat_map(|script| script.lines()) {
             let is_comment = line.trim_start().starts_with("//");
             assert!(is_comment || line.matches('`').count() % 2 == 0, "{line}");
@@ -209,7 +228,11 @@ mod tests {
     #[test]
     fn scripts_share_no_names() {
         let mut names = BTreeSet::new();
-        let all = SCRIPTS.iter().chain(&LIVE).chain(&LIVE_CYCLE);
+        let all = SCRIPTS
+            .iter()
+            .chain(&CYCLOGRAM)
+            .chain(&LIVE)
+            .chain(&LIVE_CYCLE);
         for line in all.flat_map(|script| script.lines()) {
             let mut words = line.split(|c: char| !(c.is_alphanumeric() || c == '_'));
             if let Some("function" | "const" | "let") = words.next() {

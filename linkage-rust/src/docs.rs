@@ -36,6 +36,16 @@ pub(super) fn with_note(
     quote!(#(#attributes)* #doc)
 }
 
+/// A drawing as a paragraph of docs; empty without one. Only rustdoc reads it: an editor would show
+/// its text.
+pub(super) fn drawing(html: &str) -> TokenStream {
+    if html.is_empty() {
+        return TokenStream::new();
+    }
+    let paragraph = format!("\n {html}");
+    quote!(#[cfg_attr(doc, doc = #paragraph)])
+}
+
 /// The tokens of attributes.
 pub(super) fn tokens(attributes: &[Attribute]) -> Vec<&TokenStream> {
     attributes.iter().map(|a| &a.tokens).collect()

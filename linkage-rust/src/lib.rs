@@ -22,6 +22,7 @@ mod coupled;
 mod debug;
 mod dimensions;
 mod docs;
+mod drawing;
 mod evaluator;
 mod follower;
 mod grouped;

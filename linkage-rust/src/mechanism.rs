@@ -5,7 +5,7 @@ use std::collections::BTreeSet;
 use proc_macro2::{Ident, Span, TokenStream};
 use quote::{format_ident, quote};
 
-use super::docs::{doc, documented, tokens, with_note};
+use super::docs::{self, doc, documented, tokens, with_note};
 use super::outline::{Component, Outline, Parameter, plain};
 use super::{attribute, literal};
 use linkage_compiler::ir::in_degrees;
@@ -26,6 +26,7 @@ pub(super) fn structure(outline: &Outline) -> TokenStream {
         ..
     } = outline;
     let derives = attribute::derives(*attributes, &[]);
+    let drawing = docs::drawing(&outline.drawing);
     let head = with_note(
         &tokens(attributes),
         documented(attributes),
@@ -49,6 +50,7 @@ pub(super) fn structure(outline: &Outline) -> TokenStream {
     let allow = attribute::allow();
     quote! {
         #head
+        #drawing
         #allow
         #derives
         #visibility struct #name<T = ::core::primitive::f64> { #(#fields)* #marker }

@@ -5,7 +5,7 @@ use std::borrow::Cow;
 use proc_macro2::{Ident, TokenStream};
 use quote::{format_ident, quote};
 
-use super::{count, docs};
+use super::{count, docs, drawing};
 use linkage_compiler::ir::{self, CompiledMechanism};
 use linkage_language::model::{ASSEMBLY, COLUMNS, COMPONENTS, Shape};
 use linkage_language::syntax::{
@@ -38,6 +38,8 @@ pub(super) struct Outline<'a> {
     pub continuous_angles: usize,
     /// The prepared states of each coupled group.
     pub starts: Vec<PreparedGroup>,
+    /// The drawing in the docs, as HTML; empty without a picture.
+    pub drawing: String,
     /// False after errors: the bodies are `unimplemented!()`.
     pub complete: bool,
 }
@@ -141,6 +143,9 @@ impl<'a> Outline<'a> {
             followed: group.followed,
             coefficients: group.in_cells.count(group.inputs.len()),
         });
+        let drawing = unit.picture.as_ref();
+        let title = format!("{} at its reference inputs", def.title());
+        let drawing = drawing.and_then(|picture| drawing::html(picture, &title));
         Self {
             parameters: parameters
                 .map(|(index, parameter)| {
@@ -155,6 +160,7 @@ impl<'a> Outline<'a> {
             prepared: unit.slots(),
             continuous_angles: unit.angles.len(),
             starts: starts.collect(),
+            drawing: drawing.unwrap_or_default(),
             complete: true,
             ..Self::empty(krate, def)
         }
@@ -177,6 +183,7 @@ impl<'a> Outline<'a> {
             prepared: 0,
             continuous_angles: 0,
             starts: Vec::new(),
+            drawing: String::new(),
             complete: false,
         }
     }

@@ -1,7 +1,7 @@
 //! `linkage page`: the report of all functions.
 
 mod banner;
-mod functionless;
+mod derived_functions;
 mod report;
 mod watched;
 
@@ -21,7 +21,7 @@ use super::sweep::runs;
 use super::values::{Dimensions, parts};
 use crate::failure::Failure;
 use crate::normal::normal;
-use functionless::with_functions;
+use derived_functions::{Missing, with_functions};
 use report::{ReportOptions, report};
 use watched::{Stamp, follow};
 
@@ -178,14 +178,15 @@ fn moving(all: Vec<Mechanism>) -> Result<Vec<Mechanism>, Failure> {
     }
 }
 
-/// Gives mechanisms without functions those for their unknowns and their drawing; returns the note
-/// about each.
+/// Gives mechanisms the functions that their pages lack: those for the drawing, and for the
+/// unknowns if there are no functions. Returns the note about each.
 fn add_functions(source: &Source, all: &mut [Mechanism]) -> Vec<Option<String>> {
     let note = |mechanism: &mut Mechanism| {
-        if !mechanism.headings().is_empty() {
+        let missing = Missing::in_mechanism(mechanism);
+        *mechanism = with_functions(source, mechanism, missing)?;
+        if missing != Missing::All {
             return None;
         }
-        *mechanism = with_functions(source, mechanism)?;
         let note = "there are no functions: the page shows all unknowns";
         eprintln!("note: {}: {note}", mechanism.name());
         Some(note.to_owned())

@@ -80,6 +80,31 @@ fn a_point_that_is_a_formula_has_no_slide() {
 }
 
 #[test]
+fn functions_without_a_picture_have_a_drawing() {
+    let folder = folder("drawn_pictureless");
+    // A function has the name that the derived one would have.
+    let functions = "impl M {
+        fn motion(t) -> Motion { psi, v: velocity(psi) }
+        fn picture(t) -> Lifted { p: d }
+    }";
+    let said = page(
+        &folder,
+        "let tip = b + polar(60mm, theta + 20deg);",
+        functions,
+    );
+    assert_eq!(said, "");
+    let svg = read(&folder, "drawing.svg");
+    assert!(svg.contains("data-point=\"tip\""), "{svg}");
+    assert_eq!(traces(&folder), ["d", "tip"]);
+    let table = read(&folder, "motion.csv");
+    assert!(
+        table.starts_with("t [rad],psi [rad],v [rad/rad]"),
+        "{table}"
+    );
+    assert!(!read(&folder, "data.json").contains("AllUnknowns"));
+}
+
+#[test]
 fn a_file_without_functions_has_a_page_of_its_unknowns() {
     let folder = folder("drawn_unknowns");
     // A second input on which only one of the unknowns depends, and a third one without effect.

@@ -133,10 +133,11 @@ fn every_file_names_the_changes() {
     );
     assert_eq!(
         files,
-        "data.json,CrankRocker.mech,path.csv,motion.csv,accuracy.csv,quality.csv,page.html,plots.svg,plots.png"
+        "data.json,CrankRocker.mech,path.csv,motion.csv,accuracy.csv,quality.csv,picture.csv,page.html,mechanism.svg,mechanism.png,plots.svg,plots.png,moving.svg,moving.webm,moving.gif,mechanism.dxf"
     );
-    for name in ["path.csv", "motion.csv", "accuracy.csv", "quality.csv"] {
-        let text = live.file(name);
+    let tables = ["path", "motion", "accuracy", "quality", "picture"];
+    for name in tables.map(|table| format!("{table}.csv")) {
+        let text = live.file(&name);
         assert_eq!(
             text.lines().next(),
             Some(&*format!("\"# {LINE}\"")),

@@ -102,7 +102,7 @@ fn the_drawing_of_a_changed_design_has_its_dimensions() {
     dimensions[0] *= 1.04;
     live.set(&dimensions);
     let text = saved(&mut live, "mechanism.dxf");
-    let changed = format!("changed: {name} = {} ({before})", dimensions[0]);
+    let changed = format!("changed: {name} = {} mm ({before})", dimensions[0]);
     assert!(text.contains(&changed), "{changed}");
     let link: Value = live.page.value(
         "JSON.parse(document.getElementById('report').textContent).picture.links.findIndex((link) => link.points.length === 2)",

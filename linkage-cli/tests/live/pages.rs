@@ -134,12 +134,22 @@ const ROUNDOFFS: f64 = 200.0;
 /// Of so many rows one is compared: the command's interpreter takes its time.
 const EVERY: usize = 9;
 
+/// True for the drawing of a mechanism that has no function with a picture.
+pub(crate) fn is_derived(mechanism: &Mechanism, function: &str) -> bool {
+    let headings = mechanism.headings();
+    let is_drawn = headings.iter().any(|heading| heading.picture.is_some());
+    !is_drawn && function == "picture" && mechanism.function(function).is_err()
+}
+
 /// Compares all tables, where arguments beside the input are as they were or, by name, others; how many positions have no values.
 pub(crate) fn compare(live: &mut Live, assembly: &Assembly, given: &[(&str, f64)]) -> usize {
     let functions = live.page.words("Array.from(document.querySelectorAll('button[data-file$=\".csv\"]'), (own) => own.dataset.file.slice(0, -4)).join()");
     let mut gaps = 0;
     for name in functions.split(',') {
         let unit = &live.mechanism.compiled();
+        if is_derived(live.mechanism, name) {
+            continue;
+        }
         let function = unit
             .functions
             .iter()

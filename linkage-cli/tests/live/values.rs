@@ -133,6 +133,50 @@ fn what_cannot_be_assembled_is_as_near_as_possible() {
 }
 
 /// Another input has its own slider.
+const PAUSE: &str = "new Promise((done) => setTimeout(() => done(true), 300))";
+
+#[test]
+fn a_second_input_runs_by_itself() {
+    let Some(mut live) = Live::golden_as("shaper.mech", "runs") else {
+        return;
+    };
+    let unit = &live.mechanism.compiled();
+    let second = &unit.inputs[1];
+    let name = second.name.as_str();
+    let (low, high) = second.range.expect("a range");
+    let step = (high - low) * 1e-3;
+    let value = format!("Number(document.querySelector('[data-slides={name}]').value)");
+    let button = format!("document.querySelector('[data-runs={name}]')");
+    let first = format!(
+        "document.querySelectorAll('[data-runs={}]')",
+        unit.inputs[0].name
+    );
+    assert_eq!(live.page.number(&format!("{first}.length")), 0.0);
+    // The first input stands still, and the drawing moves.
+    let picture = "document.querySelector('#drawing .bodies').innerHTML";
+    live.page.value("document.getElementById('play').dataset.playing === undefined || document.getElementById('play').click()");
+    let before = live.page.words(picture);
+    live.page.value(&format!("{button}.click()"));
+    live.page.wait(&format!(
+        "{button}.getAttribute('aria-label') === 'Pause {name}'"
+    ));
+    live.page.wait(&format!(
+        "{picture} !== {}",
+        serde_json::Value::from(before)
+    ));
+    live.page.value(PAUSE);
+    live.page.value(&format!("{button}.click()"));
+    let stopped = live.page.number(&value);
+    assert!(stopped >= low && stopped <= high, "{stopped}");
+    assert!((stopped - second.reference).abs() > step, "{stopped}");
+    live.page.value(PAUSE);
+    assert_eq!(live.page.number(&value), stopped);
+    // A run is one step of the history.
+    live.page.value("document.getElementById('undo').click()");
+    assert_eq!(live.page.number(&value), second.reference);
+    live.page.assert_quiet();
+}
+
 #[test]
 fn other_inputs_are_changed_too() {
     let Some(mut live) = Live::golden("shaper.mech") else {

@@ -99,6 +99,8 @@ pub struct Field {
     /// The quantity, for the docs: `` derivative of `p` by `phi` ``; empty if the name describes
     /// it.
     pub about: String,
+    /// The joint whose reaction the field is.
+    pub reaction: Option<String>,
 }
 
 impl Field {

@@ -11,6 +11,8 @@ pub struct Picture {
     pub points: Vec<Point>,
     /// Names of unit vectors, which follow the points.
     pub directions: Vec<String>,
+    /// Points and directions at the reference inputs, by components.
+    pub reference: Vec<Vec<f64>>,
     /// Points that keep their distances.
     pub links: Vec<Link>,
     /// Lines along which points slide.
@@ -19,6 +21,8 @@ pub struct Picture {
     pub axes: Vec<(usize, usize)>,
     /// The joints in which links meet, in the order of their points.
     pub joints: Vec<Joint>,
+    /// The declared joints with a name, and their points.
+    pub declared_joints: Vec<(String, usize)>,
     /// Wheels whose angles belong together.
     pub gears: Vec<Gear>,
     /// The elements that inputs move.

@@ -2,8 +2,8 @@
 
 use crate::ir::{Column, Field, Picture};
 use crate::model::{
-    Derived, EvaluatorDef, Expr, LengthUnit, Mechanism, Quantity, ScalarParameterId, Shape, Type,
-    Variable,
+    Derived, EvaluatorDef, Expr, ExprKind, LengthUnit, MechanicalQuantity, Mechanism, Quantity,
+    ScalarParameterId, Shape, Type, Variable,
 };
 
 use super::doc_text::about;
@@ -39,6 +39,7 @@ pub(super) fn fields(
                     "points of `PICTURE` in {}, then its unit vectors",
                     unit.name()
                 ),
+                reaction: None,
             }
         }
         None => {
@@ -58,10 +59,21 @@ pub(super) fn fields(
                     None => unit_words(&quantity.value.ty, unit),
                 },
                 about: about(mechanism, definition, quantity),
+                reaction: reaction(mechanism, &quantity.value),
             }
         }
     };
     definition.quantities.iter().map(field).collect()
+}
+
+/// The name of the joint whose reaction a quantity is.
+fn reaction(mechanism: &Mechanism, value: &Expr) -> Option<String> {
+    match value.kind {
+        ExprKind::Mechanics(MechanicalQuantity::Reaction(joint)) => {
+            mechanism.joints[joint].name.clone()
+        }
+        _ => None,
+    }
 }
 
 /// Returns true if a derivative by an angle, or one of an angle, is a part of it.

@@ -47,6 +47,8 @@ pub(super) fn look_at_bodies<'m>(
     for (joint, point) in mechanism.joints.iter().zip(&points) {
         if let Some(point) = point {
             sketch.joints.push((*point, joint.kind));
+            let name = joint.name.iter().cloned();
+            sketch.joint_names.extend(name.map(|name| (name, *point)));
             look_at_direction(algebra, layout.dimension, sketch, joint, *point, &points);
         }
     }

@@ -68,6 +68,7 @@ mod unique_names;
 mod views;
 mod weights;
 use linkage_symbolic::lookup::Set;
+use linkage_symbolic::{Ex, Vn};
 
 use crate::algebra::{Algebra, Nominal};
 use crate::diagnostic::Reporter;
@@ -132,9 +133,18 @@ pub(crate) fn find<'m>(
     if asked.links.is_empty() {
         found.picture.undrawn = undrawn;
     }
+    found.picture.reference = at_reference(&found.vectors, reference, nominal);
     check::warn_of_undrawn_loops(&found.picture, asked.origin, reporter);
     check::warn_of_loose_points(&found.picture, asked.origin, reporter);
     found
+}
+
+/// Returns the components of vectors at the reference inputs.
+fn at_reference(vectors: &[Vn], reference: &Reference, nominal: &Nominal) -> Vec<Vec<f64>> {
+    let components: Vec<Ex> = vectors.iter().flat_map(|vector| vector.iter()).collect();
+    let values = reference.machine.evaluate(&components, &nominal.inputs);
+    let tracks = track::divided(&vec![values], vectors);
+    tracks.into_iter().flatten().collect()
 }
 
 /// Returns 3 if loops, joints or lists lie in space; without loops, if anything does.

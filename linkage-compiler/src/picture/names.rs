@@ -114,6 +114,9 @@ pub(super) fn named<'m>(
         declared: declared.collect(),
     };
     picture.joints = turning.joints(&picture);
+    let named = sketch.joint_names.iter();
+    let named = named.filter_map(|(name, point)| Some((name.clone(), index_of(*point)?)));
+    picture.declared_joints = named.collect();
     picture.drives = drives::drives(algebra, &sketch.segments, &picture, &index_of);
     let kept_points: Vec<usize> = kept.iter().map(|(point, _)| *point).collect();
     picture.parts = ownership.parts(&picture, &links.all, &kept_points);

@@ -23,6 +23,8 @@ pub(super) struct Sketch<'m> {
     pub(super) turns: Vec<(usize, Turn<'m>)>,
     /// Points at which the program has joints.
     pub(super) joints: Vec<(usize, JointKind)>,
+    /// Those of them that have a name.
+    pub(super) joint_names: Vec<(String, usize)>,
     /// Links that the user named, each by its points.
     pub(super) asked: Vec<Asked>,
 }

@@ -32,7 +32,15 @@ const saved = { json: () => source, name: (name) => name, note: () => "" };
 
 function downloadButton(name, make) {
   const button = element("button", { type: "button", "data-file": name }, name);
-  button.addEventListener("click", async () => download(saved.name(name), await make()));
+  button.addEventListener("click", async () => {
+    // A film takes its time.
+    button.disabled = true;
+    try {
+      download(saved.name(name), await make());
+    } finally {
+      button.disabled = false;
+    }
+  });
   return button;
 }
 

@@ -26,6 +26,7 @@ function startDrawing() {
   startViews();
   startVectors();
   startMachine();
+  startPhoto();
   camera.listeners.push(redraw);
   new ResizeObserver(measureDrawing).observe(byId("figure"));
   measureDrawing();
@@ -36,7 +37,7 @@ function startDrawing() {
 
 function makeLayers() {
   // Paths are above the links, which may cover all of a short one.
-  for (const name of ["wheels", "bodies", "traces", "points", "signs", "vectors", "marks"]) {
+  for (const name of ["photo", "wheels", "bodies", "traces", "points", "signs", "vectors", "marks"]) {
     drawing.layers[name] = shape("g", { class: name });
     byId("drawing").append(drawing.layers[name]);
   }

@@ -94,7 +94,7 @@ function textOf(view) {
 
 function drawingPage(pairs = []) {
   const figure = getComputedStyle(byId("figure"));
-  const layers = [...byId("drawing").childNodes].map((layer) => standing(layer, pairs)).filter((layer) => layer !== null);
+  const layers = [...byId("drawing").childNodes].filter((layer) => layer !== drawing.layers.photo).map((layer) => standing(layer, pairs)).filter((layer) => layer !== null);
   return picturePage(Math.round(camera.width), Math.round(camera.height), figure.backgroundColor, ...layers);
 }
 
@@ -124,15 +124,19 @@ function plotsPage() {
   return picturePage(plots.width, top, body.backgroundColor, ...children);
 }
 
-async function pixelsOf(view) {
-  const [width, height] = ["width", "height"].map((side) => Number(view.getAttribute(side)));
+async function imageOf(view) {
   const address = URL.createObjectURL(new Blob([textOf(view)], { type: "image/svg+xml" }));
   const image = new Image();
   image.src = address;
   await image.decode();
-  const canvas = element("canvas", { width: DENSITY * width, height: DENSITY * height });
-  canvas.getContext("2d").drawImage(image, 0, 0, canvas.width, canvas.height);
   URL.revokeObjectURL(address);
+  return image;
+}
+
+async function pixelsOf(view) {
+  const [width, height] = ["width", "height"].map((side) => Number(view.getAttribute(side)));
+  const canvas = element("canvas", { width: DENSITY * width, height: DENSITY * height });
+  canvas.getContext("2d").drawImage(await imageOf(view), 0, 0, canvas.width, canvas.height);
   return new Promise((done) => { canvas.toBlob(done, "image/png"); });
 }
 
@@ -141,6 +145,7 @@ function pictureButtons() {
   const vector = (name, make) => downloadButton(`${name}.svg`, () => new Blob([textOf(make())], { type: "image/svg+xml" }));
   // In space the order of what is drawn changes with the position.
   const films = picture && !isSpatial() && rowCount > 1 ? [vector("moving", filmPage)] : [];
+  if (picture && rowCount > 1) films.push(...(FILM_KIND ? [downloadButton(`moving.${FILM_KIND}`, recordedFilm)] : []), downloadButton("moving.gif", gifFilm));
   return [...pages.flatMap(([name, make]) => [vector(name, make), downloadButton(`${name}.png`, () => pixelsOf(make()))]), ...films,
     ...(picture ? [downloadButton("mechanism.dxf", () => new Blob([dxfNow()], { type: "image/vnd.dxf" }))] : [])];
 }

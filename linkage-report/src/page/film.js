@@ -12,11 +12,15 @@ function filmRows() {
   return input.periodic ? [...there, 0] : [...there, last, ...[...there].reverse()];
 }
 
-function filmPage() {
-  const rows = filmRows().filter((row) => {
+function wholeRows(rows) {
+  return rows.filter((row) => {
     placeAll(row);
     return byId("impossible").hidden;
   });
+}
+
+function filmPage() {
+  const rows = wholeRows(filmRows());
   if (rows.length === 0) return drawingPage();
   placeAll(rows[0]);
   const pairs = [];

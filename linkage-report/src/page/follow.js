@@ -5,8 +5,8 @@
 const ASK_EVERY = 500;
 
 function follow(own) {
-  // Another page stands at the place of a copy, or none.
-  if (isSavedCopy) return;
+  // Another page stands at the place of a copy, or none. Pages without a report have no copies.
+  if (typeof isSavedCopy !== "undefined" && isSavedCopy) return;
   const banner = document.createElement("pre");
   Object.assign(banner, { id: "mistakes", className: "warning", hidden: true });
   banner.setAttribute("role", "alert");

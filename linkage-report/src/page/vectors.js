@@ -1,4 +1,4 @@
-// Velocities and accelerations of points as arrows, and the poles about which links turn, where the reader asks for them.
+// Velocities, accelerations and forces at points as arrows, and the poles about which links turn, where the reader asks for them.
 
 // The longest arrow beside the mechanism, and the head of each, in pixels.
 const ARROW = { share: 0.35, head: 9, half: 3.6 };
@@ -60,25 +60,62 @@ function forgetVectors() {
 }
 
 function arrowOf(index, row, order) {
-  const [place, rate] = [pointAt(index, row), placeRate(index, row, order)];
-  const longest = longestRate(order);
-  if (place === null || rate === null || !(longest > 0) || isHidden(["points", index])) return null;
-  const [from, to] = [place, along(place, rate, (ARROW.share * camera.box.radius) / longest)].map((own) => project(own).slice(0, 2));
+  const rate = placeRate(index, row, order);
+  if (rate === null) return null;
+  const [kind, unit] = [order === 1 ? "velocity" : "acceleration", `${picture.unit}/${input.unit || "1"}${order === 1 ? "" : "^2"}`];
+  return arrowAt(index, row, { kind, name: picture.points[index].name, vector: rate, longest: longestRate(order), unit });
+}
+
+// An arrow at a point, whose length is a share of the longest one.
+function arrowAt(index, row, { kind, name, vector, longest, unit }) {
+  const place = pointAt(index, row);
+  if (place === null || !(longest > 0) || isHidden(["points", index])) return null;
+  const [from, to] = [place, along(place, vector, (ARROW.share * camera.box.radius) / longest)].map((own) => project(own).slice(0, 2));
   const length = distance(from, to);
   const [u, v] = length > 0 ? [(to[0] - from[0]) / length, (to[1] - from[1]) / length] : [1, 0];
   const head = Math.min(ARROW.head, length);
   const half = (ARROW.half * head) / ARROW.head;
   const corner = (side) => [to[0] - head * u - side * half * v, to[1] - head * v + side * half * u];
-  const [name, unit] = [order === 1 ? "velocity" : "acceleration", `${picture.unit}/${input.unit || "1"}${order === 1 ? "" : "^2"}`];
-  const { name: point } = picture.points[index];
-  const { node, title, line, head: tip } = vectorNode(`${name} ${point}`, () => {
+  const { node, title, line, head: tip } = vectorNode(`${kind} ${name}`, () => {
     const parts = { title: shape("title"), line: shape("path", { class: "line" }), head: shape("path", { class: "head" }) };
-    return { ...parts, node: shape("g", { class: name, "data-arrow": point }, parts.title, parts.line, parts.head) };
+    return { ...parts, node: shape("g", { class: kind, "data-arrow": name }, parts.title, parts.line, parts.head) };
   });
-  write(title, `${name} of ${point}: ${digits(rounded(Math.hypot(...rate), 4))} ${unit}`);
+  write(title, `${kind} of ${name}: ${digits(rounded(Math.hypot(...vector), 4))} ${unit}`);
   set(line, { d: lineThrough([from, to]) });
   set(tip, { d: `${lineThrough([to, corner(1), corner(-1)])}Z` });
   return node;
+}
+
+// The columns of a force, a vector of one of the tables.
+function columnsOfForce(quantity) {
+  const axes = ["x", "y", "z"].slice(0, picture.dimension).map((axis) => `${quantity}.${axis}`);
+  const first = columns.find((column) => column.name === axes[0] && column.meaning !== "true");
+  return axes.map((axis) => columns.find((column) => column.name === axis && column.table === first.table && column.meaning !== "true"));
+}
+
+function forceAt(parts, row) {
+  const force = parts.map((column) => column.values[row]);
+  return force.includes(null) ? null : force;
+}
+
+// All forces have one scale.
+function longestForce() {
+  if (!vectors.longest.has("force")) {
+    let longest = 0;
+    for (const { quantity } of picture.forces) {
+      const parts = columnsOfForce(quantity);
+      eachRow((row) => (longest = Math.max(longest, Math.hypot(...(forceAt(parts, row) ?? [0])))));
+    }
+    vectors.longest.set("force", longest);
+  }
+  return vectors.longest.get("force");
+}
+
+function forceArrow({ point, quantity }, row) {
+  const parts = columnsOfForce(quantity);
+  const force = forceAt(parts, row);
+  if (force === null) return null;
+  return arrowAt(point, row, { kind: "force", name: quantity, vector: seenDirection(force, row), longest: longestForce(), unit: parts[0].unit });
 }
 
 // Nodes stay, as those of the mechanism do.
@@ -125,15 +162,16 @@ function poleMark(link, index, row) {
 const VECTOR_KINDS = {
   velocity: { text: "v", title: "Velocities of traced points", make: (row) => pointsWithArrows().map((index) => arrowOf(index, row, 1)) },
   acceleration: { text: "a", title: "Accelerations of traced points", make: (row) => pointsWithArrows().map((index) => arrowOf(index, row, 2)) },
+  force: { text: "F", title: "Reactions in joints", make: (row) => picture.forces.map((force) => forceArrow(force, row)) },
   poles: { text: "Poles", title: "Instant centres of links", make: (row) => picture.links.map((link, index) => poleMark(link, index, row)) },
 };
 
 function startVectors() {
   vectors.layer = drawing.layers.vectors;
-  // Differences need even steps of the input.
-  if (rowCount < 5 || report.thinned) return;
   for (const [kind, { text, title }] of Object.entries(VECTOR_KINDS)) {
-    if (kind === "poles" && isSpatial()) continue;
+    // Differences need even steps of the input.
+    const isDifference = kind !== "force";
+    if (isDifference ? rowCount < 5 || report.thinned || (kind === "poles" && isSpatial()) : !picture.forces) continue;
     const button = element("button", { type: "button", "data-vectors": kind, "aria-pressed": "false", title }, text);
     button.addEventListener("click", () => {
       if (!vectors.shown.delete(kind)) vectors.shown.set(kind, VECTOR_KINDS[kind].make);

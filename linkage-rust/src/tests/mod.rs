@@ -1,5 +1,6 @@
 //! Emission of a mechanism written by hand, read back as Rust.
 
+mod drawing;
 mod programs;
 mod sample;
 

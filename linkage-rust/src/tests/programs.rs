@@ -158,6 +158,7 @@ pub(crate) fn unit() -> CompiledMechanism {
         shape,
         unit: unit.to_owned(),
         about: String::new(),
+        reaction: None,
     };
     let angle = |unknown, estimate| ContinuousAngle {
         unknown,

@@ -139,6 +139,7 @@ fn as_function((index, own): (usize, &Named)) -> Function {
         shape: Shape::Scalar,
         unit: String::new(),
         about: String::new(),
+        reaction: None,
     };
     let column = |index: usize| Column {
         name: format!("r{index}"),

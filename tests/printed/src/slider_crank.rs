@@ -15,6 +15,10 @@
     clippy::restriction
 )]
 /// A crank drives a slider through a connecting rod.
+#[cfg_attr(
+    doc,
+    doc = "\n <div><svg xmlns=\"http://www.w3.org/2000/svg\" role=\"img\" aria-label=\"SliderCrank at its reference inputs\" viewBox=\"0 0 400 111.2\" width=\"400\" style=\"max-width:100%\" fill=\"none\" stroke=\"currentColor\" stroke-linecap=\"round\" stroke-linejoin=\"round\"><g stroke-width=\"1.5\"><title>slide</title><path d=\"M334 72.4L398 72.4\"/><path d=\"M334 60.4L398 60.4\"/><path d=\"M356 61.4L376 61.4L376 71.4L356 71.4Z\" fill=\"var(--main-background-color,#fff)\"/></g><path d=\"M34 77.2L108.8 34\" stroke-width=\"4\"><title>crank</title></path><path d=\"M108.8 34L366 66.4\" stroke-width=\"4\"><title>rod</title></path><path d=\"M34 77.2l-8 14h16zm-13 14h26\" stroke-width=\"1.5\"/><circle cx=\"34\" cy=\"77.2\" r=\"4\" stroke-width=\"1.5\" fill=\"var(--main-background-color,#fff)\"/><circle cx=\"108.8\" cy=\"34\" r=\"4\" stroke-width=\"1.5\" fill=\"var(--main-background-color,#fff)\"/><circle cx=\"366\" cy=\"66.4\" r=\"4\" stroke-width=\"1.5\" fill=\"var(--main-background-color,#fff)\"/><g font-family=\"sans-serif\" font-size=\"11\" fill=\"currentColor\" stroke=\"var(--main-background-color,#fff)\" stroke-width=\"3\" paint-order=\"stroke\"><text x=\"115.8\" y=\"27\">pin</text><text x=\"361\" y=\"59.4\">slider</text></g></svg></div>"
+)]
 #[derive(
     ::core::clone::Clone,
     ::core::marker::Copy,

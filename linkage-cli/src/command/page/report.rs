@@ -61,6 +61,7 @@ pub(super) fn report(
         report = report.source(text);
     }
     let mut drawn = false;
+    let mut reactions: Vec<(&str, &str)> = Vec::new();
     for (function, heading) in mechanism.headings().iter().enumerate() {
         let again = drawn && heading.picture.is_some();
         let argument_index = heading
@@ -77,6 +78,7 @@ pub(super) fn report(
                 let mut slices: Vec<&[f64]> = arguments_given.chunks(1).collect();
                 slices[argument_index] = &positions;
                 report = report.table(&assembly.calls(function, &slices));
+                reactions.extend(reactions_of(mechanism, function));
                 let beside = heading.arguments.iter().zip(&arguments_given);
                 for (&name, &value) in beside.filter(|(name, _)| **name != input.name) {
                     report = report.argument(name, value);
@@ -91,7 +93,32 @@ pub(super) fn report(
         eprintln!("note: {}: {note}", mechanism.name());
         report = report.note(note);
     }
+    if drawn {
+        // Equal names of two functions are most likely one quantity.
+        for (index, (point, field)) in reactions.iter().enumerate() {
+            let is_first = reactions[..index].iter().all(|(_, other)| other != field);
+            if is_first {
+                report = report.force(*point, *field);
+            }
+        }
+    }
     Ok(report)
+}
+
+/// The points at which reactions of a function act, and the fields that they are.
+fn reactions_of(mechanism: &Mechanism, function: usize) -> Vec<(&str, &str)> {
+    let unit = mechanism.compiled();
+    let Some(picture) = &unit.picture else {
+        return Vec::new();
+    };
+    let at = |name: &str| {
+        let mut joints = picture.declared_joints.iter();
+        let (_, point) = joints.find(|(joint, _)| joint == name)?;
+        Some(picture.points[*point].name.as_str())
+    };
+    let fields = unit.functions[function].fields.iter();
+    let fields = fields.filter_map(|field| Some((at(field.reaction.as_ref()?)?, &field.name[..])));
+    fields.collect()
 }
 
 fn first_paragraph(text: &str) -> String {

@@ -28,7 +28,7 @@ function startLive() {
   // A page that goes has its last change in its address.
   addEventListener("pagehide", () => link.waiting !== null && writeLinkNow());
   startPulling();
-  if (picture) byId("hint").append(" Pull pivots and bars to change dimensions, with shift to all digits.");
+  if (picture) byId("hint").firstChild.after(" Pull pivots and bars to change dimensions, with shift to all digits.");
 }
 
 function makeControls() {
@@ -87,7 +87,7 @@ function controlRow(name, unit, [low, high], put) {
   field.addEventListener("change", () => takeTyped(row));
   field.addEventListener("keydown", (event) => onFieldKey(event, row));
   controls.rows.set(name, row);
-  return element("label", { class: "dimension" }, element("span", { class: "name" }, name), slider, field, element("small", {}, plotUnit(unit)));
+  return element("label", { class: "dimension" }, element("span", { class: "name" }, name), slider, field, element("small", {}, plotUnit(unit), ...[runButton(row)].filter((own) => own !== null)));
 }
 
 // A slider tells as many digits as its pixels do.

@@ -82,15 +82,6 @@ function lengthChange(link, row) {
   };
 }
 
-// A place of the mechanism under a pointer, in the plane that the screen shows.
-function placeUnder([x, y]) {
-  const [right, up] = cameraAxes();
-  const scale = cameraScale();
-  const u = (x - camera.width / 2 - camera.pan[0]) / scale;
-  const v = -(y - camera.height / 2 - camera.pan[1]) / scale;
-  return camera.box.middle.map((middle, i) => middle + u * right[i] + v * up[i]);
-}
-
 function pullPressed(event) {
   if (event.button !== 0 || isStanding()) return;
   const row = position.row;

@@ -195,3 +195,106 @@ fn the_mechanism_is_saved_moving() {
     }
     page.assert_quiet();
 }
+
+/// The bytes of what was saved, in letters.
+fn letters(page: &mut Page) -> String {
+    page.words(
+        "(async () => { const reader = new FileReader(); reader.readAsDataURL(window.caught); \
+           await new Promise((done) => { reader.onload = done; }); return reader.result; })()",
+    )
+}
+
+/// The shortest time for a range.
+fn run_fast(page: &mut Page) {
+    page.value(
+        "(() => { const speed = document.getElementById('speed'); speed.value = '1'; \
+           speed.dispatchEvent(new Event('change')); return 0; })()",
+    );
+}
+
+#[test]
+fn a_film_is_recorded() {
+    let Some(mut page) = page("export-film") else {
+        return;
+    };
+    run_fast(&mut page);
+    crate::checks::go_to(&mut page, 123);
+    let [_, _, width, height] = page.place("#drawing");
+    save(&mut page, "moving.webm");
+    assert_eq!(page.words("window.caught.type"), "video/webm");
+    assert_eq!(page.row(), 123);
+    let film = letters(&mut page);
+    page.assert_quiet();
+    let text = format!("<!doctype html><video muted src=\"{film}\"></video>");
+    page.load(&linkage_browser::samples::page_written(
+        &text,
+        "export-film-shown",
+    ));
+    page.wait("document.querySelector('video').readyState >= 2");
+    let size = page.value(
+        "['videoWidth', 'videoHeight'].map((side) => document.querySelector('video')[side])",
+    );
+    assert_eq!(size[0].as_f64(), Some(width.round()));
+    assert_eq!(size[1].as_f64(), Some(height.round()));
+    // It runs for a second, and its pictures differ.
+    page.value(
+        "(() => { const film = document.querySelector('video'); window.pictures = new Set(); \
+           const look = () => { const canvas = new OffscreenCanvas(80, 60); const paint = canvas.getContext('2d'); \
+             paint.drawImage(film, 0, 0, 80, 60); window.pictures.add(paint.getImageData(0, 0, 80, 60).data.join()); \
+             film.requestVideoFrameCallback(look); }; \
+           film.requestVideoFrameCallback(look); film.play(); return 0; })()",
+    );
+    page.wait("document.querySelector('video').ended");
+    let seconds = page.number("document.querySelector('video').currentTime");
+    assert!(seconds > 0.8 && seconds < 1.6, "{seconds} s");
+    let pictures = page.number("window.pictures.size");
+    assert!(pictures > 4.0, "{pictures} pictures");
+}
+
+#[test]
+fn a_film_is_saved_as_gif() {
+    let Some(mut page) = page("export-gif") else {
+        return;
+    };
+    run_fast(&mut page);
+    save(&mut page, "moving.gif");
+    page.value("window.film = window.caught; 0");
+    let found = page.value(
+        "(async () => { const film = new ImageDecoder({ data: await window.film.arrayBuffer(), type: 'image/gif' }); \
+           await film.completed; await film.tracks.ready; window.pictures = []; \
+           const { frameCount, repetitionCount } = film.tracks.selectedTrack; \
+           let time = 0; \
+           for (let k = 0; k < frameCount; k += 1) { \
+             const { image } = await film.decode({ frameIndex: k }); time += image.duration / 1e6; \
+             const paint = new OffscreenCanvas(image.displayWidth, image.displayHeight).getContext('2d'); \
+             paint.drawImage(image, 0, 0); \
+             window.pictures.push(paint.getImageData(0, 0, image.displayWidth, image.displayHeight).data); } \
+           return { count: frameCount, again: repetitionCount === Infinity, time, bytes: window.film.size }; })()",
+    );
+    assert_eq!(found["count"], 13);
+    assert_eq!(found["again"], true);
+    let time = found["time"].as_f64().expect("seconds");
+    assert!((time - 1.0).abs() < 0.1, "{time} s");
+    let bytes = found["bytes"].as_f64().expect("a size");
+    assert!(bytes < 300_000.0, "{bytes} bytes");
+    // Each picture is the drawing at its row, and no other.
+    for (picture, other) in [(0, 6), (6, 0), (12, 5)] {
+        let row = (360.0 * f64::from(picture) / 13.0).round() as usize;
+        crate::checks::go_to(&mut page, row);
+        save(&mut page, "mechanism.svg");
+        let apart = page.value(&format!(
+            "(async () => {{ const image = new Image(); image.src = URL.createObjectURL(window.caught); await image.decode(); \
+               const paint = new OffscreenCanvas(image.width, image.height).getContext('2d'); paint.drawImage(image, 0, 0); \
+               const { } = paint.getImageData(0, 0, image.width, image.height); \
+               const apart = (own) => data.reduce((sum, x, k) => sum + (Math.abs(x - own[k]) > 40), 0) / data.length; \
+               return [{picture}, {other}].map((k) => apart(window.pictures[k])); }})()",
+            "{ data }"
+        ));
+        let [here, there] = [0, 1].map(|k| apart[k].as_f64().expect("a share"));
+        assert!(
+            here < 1e-3 && there > 5.0 * here && there > 3e-3,
+            "{here} {there}"
+        );
+    }
+    page.assert_quiet();
+}

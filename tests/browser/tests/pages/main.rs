@@ -15,6 +15,7 @@ mod names;
 mod one_colour;
 mod parts;
 mod phone;
+mod photo;
 mod playing;
 mod plots;
 mod print;

@@ -184,3 +184,48 @@ fn arrows_at_ends_of_ranges() {
     assert!((size / exact - 1.0).abs() < 1e-3, "{size}, {exact}");
     page.assert_quiet();
 }
+
+/// Vectors of a table as forces at points, all in one scale.
+#[test]
+fn forces_are_arrows_in_one_scale() {
+    let report = four_bar("Forces", FourBar::TURNING).force("tracer", "v");
+    let Some(mut page) = Page::open(&written(&report, "arrows-forces")) else {
+        return;
+    };
+    page.click("[data-vectors=force]");
+    let mut scales = Vec::new();
+    for row in [0, 77, 200] {
+        checks::go_to(&mut page, row);
+        let [x, y] = derivative(row, 1);
+        let found = page.value(
+            "(() => { const own = document.querySelector('.force[data-arrow=v]'); \
+               const [a, b, c, d] = own.querySelector('.line').getAttribute('d').match(/-?[\\d.]+/g).map(Number); \
+               return [c - a, b - d, own.querySelector('title').textContent]; })()",
+        );
+        let [u, v] = [0, 1].map(|k| found[k].as_f64().expect("a number"));
+        let across = (u * y - v * x) / (u.hypot(v) * x.hypot(y));
+        assert!(
+            across.abs() < 0.02 && u * x + v * y > 0.0,
+            "{row}: {u}, {v}"
+        );
+        scales.push(u.hypot(v) / x.hypot(y));
+        let title = found[2].as_str().expect("a title");
+        assert!(
+            title.starts_with("force of v: ") && title.ends_with(" mm/rad"),
+            "{title}"
+        );
+    }
+    assert!(
+        scales
+            .iter()
+            .all(|scale| (scale / scales[0] - 1.0).abs() < 0.02),
+        "{scales:?}"
+    );
+    page.assert_quiet();
+    // Without forces there is no button for them.
+    let file = written(&four_bar("Forces", FourBar::TURNING), "arrows-no-forces");
+    let Some(mut page) = Page::open(&file) else {
+        return;
+    };
+    assert!(page.holds("document.querySelector('[data-vectors=force]') === null"));
+}

@@ -1,4 +1,5 @@
-//! Mechanisms without functions: their page shows all unknowns and the drawing.
+//! Functions that the page of a mechanism needs and its text does not have: those for the drawing
+//! and for all unknowns.
 
 use linkage_compiler::check_all;
 use linkage_engine::{Mechanism, Source};
@@ -7,16 +8,49 @@ use proc_macro2::TokenStream;
 /// Selections of more inputs than these are not tried, only all inputs together.
 const MOST_INPUTS: usize = 5;
 
-/// Returns a mechanism of a text with functions for its unknowns and its drawing, as far as the
-/// compiler accepts them; `None` if it accepts none.
-pub(super) fn with_functions(source: &Source, mechanism: &Mechanism) -> Option<Mechanism> {
+/// The functions that a mechanism lacks for its page.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(super) enum Missing {
+    /// It has functions, and one with a picture among them.
+    Nothing,
+    /// It has functions, but none with a picture.
+    Drawing,
+    /// It has no functions.
+    All,
+}
+
+impl Missing {
+    /// The functions that this mechanism lacks.
+    pub(super) fn in_mechanism(mechanism: &Mechanism) -> Self {
+        let headings = mechanism.headings();
+        if headings.is_empty() {
+            Self::All
+        } else if headings.iter().all(|heading| heading.picture.is_none()) {
+            Self::Drawing
+        } else {
+            Self::Nothing
+        }
+    }
+}
+
+/// Returns a mechanism of a text with the functions that are missing, as far as the compiler
+/// accepts them; `None` if it accepts none.
+pub(super) fn with_functions(
+    source: &Source,
+    mechanism: &Mechanism,
+    missing: Missing,
+) -> Option<Mechanism> {
     let inputs: Vec<&str> = mechanism.inputs().iter().map(|input| input.name).collect();
-    let fields = [
-        ("motion", "AllUnknowns", unknowns(mechanism)),
-        ("picture", "WholePicture", "shape: picture()".to_owned()),
-    ];
+    let motion = ("motion", "AllUnknowns", unknowns(mechanism));
+    let picture = ("picture", "WholePicture", "shape: picture()".to_owned());
+    let fields = match missing {
+        Missing::Nothing => Vec::new(),
+        Missing::Drawing => vec![picture],
+        Missing::All => vec![motion, picture],
+    };
     let fields = fields.into_iter().filter(|(.., fields)| !fields.is_empty());
     let functions = fields.filter_map(|(name, result, fields)| {
+        let name = free(mechanism, name);
         let functions = selections(&inputs).into_iter().map(|inputs| {
             let inputs = inputs.join(", ");
             format!("fn {name}({inputs}) -> {result} {{ {fields} }}\n")
@@ -31,6 +65,16 @@ pub(super) fn with_functions(source: &Source, mechanism: &Mechanism) -> Option<M
         true => None,
         false => compiled(source, mechanism.name(), &functions),
     }
+}
+
+/// A name that no function of the mechanism has: with low lines at its end if needed.
+fn free(mechanism: &Mechanism, name: &str) -> String {
+    let functions = &mechanism.compiled().functions;
+    let mut name = name.to_owned();
+    while functions.iter().any(|function| function.name == name) {
+        name.push('_');
+    }
+    name
 }
 
 /// All unknowns as fields of a result.
