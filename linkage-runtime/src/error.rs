@@ -9,6 +9,7 @@ mod not_followed;
 mod unprepared;
 
 pub use assembly::AssemblyError;
+#[cfg(any(feature = "std", feature = "libm"))]
 pub(crate) use assembly::LARGEST;
 #[cfg(feature = "alloc")]
 pub use closest_approach::{ClosestApproach, Missed};

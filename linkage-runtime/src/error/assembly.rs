@@ -1,8 +1,10 @@
 //! Why `assemble()` found no assembly.
 
 use super::group::GroupRef;
+#[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]
+use super::unprepared::CoupledCause;
 #[cfg(feature = "alloc")]
-use super::unprepared::{CoupledCause, CoupledError};
+use super::unprepared::CoupledError;
 #[cfg(feature = "alloc")]
 use alloc::boxed::Box;
 use core::fmt;
@@ -104,7 +106,7 @@ pub enum AssemblyError {
 
 impl AssemblyError {
     /// True if there is simply no such assembly: its links do not reach each other.
-    #[cfg(feature = "alloc")]
+    #[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]
     pub(crate) fn is_a_miss(&self) -> bool {
         match self {
             Self::CannotClose { .. } => true,

@@ -3,9 +3,11 @@
 //! One code for all mechanisms. A mechanism is a [`Compiled`]: data and programs, which the macro
 //! prints and the engine interprets.
 
+#[cfg(any(feature = "std", feature = "libm"))]
 mod assemble;
 #[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]
 mod assemblies;
+#[cfg(any(feature = "std", feature = "libm"))]
 mod close;
 mod compiled;
 mod description;

@@ -5,8 +5,7 @@ use linkage_core::Enclosure;
 use linkage_core::numeric::continuation::{Correction, Residuals, Step};
 
 use super::compiled::CoreOf;
-use super::grouped::{GroupProgram, PlainGroups};
-use super::preparation::core;
+use super::grouped::{GroupProgram, PlainGroups, core};
 use super::winding::wind;
 use crate::error::AssemblyError;
 use crate::support::coupled::{CoupledGroup, CoupledPrograms, pairs, placed, stepped};

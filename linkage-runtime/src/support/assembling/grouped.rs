@@ -6,11 +6,11 @@ use alloc::vec::Vec;
 use linkage_core::range_check::Slack;
 use linkage_core::{Cycle, Enclosure, Level, Scalar};
 
-use super::compiled::{Compiled, CoreOf, DataOf};
+use super::compiled::{Compiled, CoreOf, DataOf, RevolutionsOf};
 use super::list::List;
-use super::preparation::core as prepared_core;
+use super::preparation::prepared;
 use super::winding::constant;
-use crate::support::assembly_data::AssemblyData;
+use crate::support::assembly_data::{AssemblyData, Core};
 use crate::support::coupled::{CoupledGroup, InitialState};
 
 /// Bounds of a number as a function of the inputs.
@@ -123,22 +123,36 @@ where
     CoreOf<E>: 'static,
     E::States: 'static,
 {
-    let core = AssemblyData::core(data);
+    let from = AssemblyData::core(data);
     let lanes = no_states(&enclosed);
     let states = enclosed.states(&lanes);
     let revolutions = constant(
         &enclosed,
-        |angle| Enclosure::from_f64(core.revolutions.centres.as_ref()[angle]),
+        |angle| Enclosure::from_f64(from.revolutions.centres.as_ref()[angle]),
         |angle, input| {
-            let windings = &core.revolutions.windings.as_ref()[angle];
+            let windings = &from.revolutions.windings.as_ref()[angle];
             Enclosure::from_f64(windings.as_ref()[input])
         },
     );
-    let core = prepared_core(&enclosed, &core.modes, revolutions);
+    let core = core(&enclosed, &from.modes, revolutions);
     Box::new(move |x| {
         let x = core.dimensions.arguments(&states, &List::list(1, |_| x));
         E::survey(&core, x).as_ref()[number]
     })
+}
+
+/// The data of an assembly with these revolutions.
+pub(super) fn core<C: Compiled>(
+    mechanism: &C,
+    modes: &C::Modes,
+    revolutions: RevolutionsOf<C>,
+) -> CoreOf<C> {
+    Core {
+        dimensions: mechanism.clone(),
+        modes: modes.clone(),
+        prepared: prepared(mechanism, modes, &revolutions),
+        revolutions,
+    }
 }
 
 /// Nothing prepared, in every lane.

@@ -2,9 +2,8 @@
 
 use linkage_core::Scalar;
 
-use super::compiled::{Compiled, CoreOf, RevolutionsOf};
+use super::compiled::{Compiled, RevolutionsOf};
 use super::list::List;
-use crate::support::assembly_data::Core;
 use crate::support::dispatch::{DataFunction, dispatch_function};
 
 /// The inputs of one lane.
@@ -15,20 +14,6 @@ pub(super) fn lane_inputs<C: Compiled>(
 ) -> <C::Plain as Compiled>::Inputs {
     let count = mechanism.description().inputs.len();
     List::list(count, |input| at.as_ref()[input].lane(lane))
-}
-
-/// The data of an assembly with these revolutions.
-pub(super) fn core<C: Compiled>(
-    mechanism: &C,
-    modes: &C::Modes,
-    revolutions: RevolutionsOf<C>,
-) -> CoreOf<C> {
-    Core {
-        dimensions: mechanism.clone(),
-        modes: modes.clone(),
-        prepared: prepared(mechanism, modes, &revolutions),
-        revolutions,
-    }
 }
 
 /// The numbers that depend on dimensions, modes and revolutions alone, by the instructions that
