@@ -167,6 +167,11 @@ fn quantity(
     units: &[&str],
 ) -> Result<Vec<Number>, Failure> {
     let wrong = wrong(name, text);
+    if let Some(help) = decimal_comma(text) {
+        return Err(wrong(&format!(
+            "a comma stands between the components of a vector only\nhelp: {help}"
+        )));
+    }
     let length = mechanism.compiled().length;
     let tokens: Result<TokenStream, _> = text.parse();
     let tokens = tokens.map_err(|_| {
@@ -219,6 +224,20 @@ fn quantity(
             }
         })
         .collect()
+}
+
+/// Returns the help for a number with a decimal comma: one outside of brackets.
+fn decimal_comma(text: &str) -> Option<String> {
+    let outside = text.find('(').map_or(text, |bracket| &text[..bracket]);
+    let (before, after) = outside.split_once(',')?;
+    let is_digit = |letter: char| letter.is_ascii_digit();
+    if !(before.ends_with(is_digit) && after.starts_with(is_digit)) {
+        return None;
+    }
+    Some(match before.contains('.') || after.contains(',') {
+        true => "write a point before the decimals, and nothing between thousands".to_owned(),
+        false => format!("write `{}`", text.replacen(',', ".", 1)),
+    })
 }
 
 /// A name of the mechanism in a value.

@@ -156,6 +156,22 @@ fn values_are_refused_in_words_of_the_command_line() {
             "error: `crank=2 * other`: unknown name `other`\n\
              help: a value or tolerance may use numbers, functions and constants only\n",
         ),
+        (
+            "crank=50,5mm",
+            "error: `crank=50,5mm`: a comma stands between the components of a vector only\n\
+             help: write `50.5mm`\n",
+        ),
+        (
+            "crank=40mm +- 0,1mm",
+            "error: `crank=40mm +- 0,1mm`: a comma stands between the components of a vector only\n\
+             help: write `40mm +- 0.1mm`\n",
+        ),
+        (
+            "crank=1.050,5mm",
+            "error: `crank=1.050,5mm`: a comma stands between the components of a vector only\n\
+             help: write a point before the decimals, and nothing between thousands\n",
+        ),
+        ("crank=min(50mm, 5)", "error: `crank=min(50mm, 5)`: "),
     ] {
         let said = refused(&folder, &["table", "own.mech", "stroke", "--set", set], 1);
         assert!(said.starts_with(expected), "{said}");

@@ -93,7 +93,8 @@ fn report_undriven(
         let input = &mechanism.inputs[input];
         let help = if input.dimension.angle {
             format!(
-                "declare the body that it turns, like `body NAME = pin on BODY at POINT, turns {}`",
+                "declare the body that it turns, like `body NAME = pin on BODY at POINT, turns {}`; \
+                 if BODY turns too, the joint moves by the angle between both: make that the input",
                 input.name
             )
         } else {
