@@ -169,6 +169,7 @@ fn plain(outline: &Outline, unit: &CompiledMechanism) -> TokenStream {
     let one_input = unit.inputs.len() == 1 && !unit.groups.is_empty();
     let bounds = one_input.then(|| {
         quote! {
+            #[inline]
             fn bounds(
                 __data: &#runtime::DataOf<Self>,
                 __number: __p::usize,

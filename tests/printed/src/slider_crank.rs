@@ -597,6 +597,7 @@ const _: () = {
         ) -> __R {
             __read(&[])
         }
+        #[inline]
         fn bounds(
             __data: &__p::DataOf<Self>,
             __number: __p::usize,
