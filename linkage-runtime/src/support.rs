@@ -43,8 +43,6 @@ pub use constants::{
     derivative_of, drawn, margin, operations, parameter, rate, sensitivity, value,
 };
 #[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]
-pub use continuation::{DimensionPath, follow_path, state_here};
-#[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]
 pub use coupled::{
     Coupled, CoupledGrid, CoupledGroup, CoupledInput, CoupledLoop, CoupledPrograms,
     CoupledSolution, CoupledUnknown, InitialState, NoPrograms, Which, initial_states,

@@ -17,6 +17,8 @@ mod group_programs;
 mod grouped;
 mod list;
 #[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]
+mod mechanism_path;
+#[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]
 mod path;
 #[cfg(any(feature = "std", feature = "libm"))]
 mod preparation;
@@ -38,7 +40,9 @@ pub use group_programs::GroupPrograms;
 pub use grouped::{Bounds, GroupData, GroupProgram, Grouped, PlainGroups, SurveyedUnknown, bounds};
 pub use list::List;
 #[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]
-pub(crate) use path::surveyor;
+pub use mechanism_path::CoupledParts;
 #[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]
-pub use path::{CoupledParts, assemble_from, assemble_there};
+pub(crate) use mechanism_path::{MechanismPath, surveyor};
+#[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]
+pub use path::{assemble_from, assemble_there};
 pub use revolutions::{Along, Angle, ArrayRevolutions, Revolutions};

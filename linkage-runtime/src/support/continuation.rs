@@ -1,9 +1,9 @@
 //! The same assembly for other dimensions, followed along the straight way to them.
 
+use super::InitialState;
+use super::assembling::{MechanismPath, PlainGroups};
 use super::settle::moved;
-use super::{CoupledGroup, CoupledPrograms, InitialState};
 use crate::error::{AssemblyError, GroupRef};
-use crate::structure::Group;
 use alloc::vec;
 use alloc::vec::Vec;
 use linkage_core::Level;
@@ -17,34 +17,6 @@ const SHORTEST: f64 = 1e-7;
 
 /// Places on the way at which slacks are looked at before dips between them are.
 const SAMPLES: usize = 64;
-
-/// A mechanism on its way from some dimensions (0) to others (1), in the assembly that is followed.
-pub trait DimensionPath {
-    /// The least margin, the slack of every group, the numbers of the unknowns.
-    type Survey: AsRef<[f64]>;
-    /// The programs of a coupled group.
-    type Programs: CoupledPrograms;
-
-    /// Name of the mechanism.
-    fn name(&self) -> &'static str;
-    /// The groups in order.
-    fn levels(&self) -> &'static [Level];
-    /// The groups of `STRUCTURE`.
-    fn groups(&self) -> &'static [Group];
-    /// The reference inputs.
-    fn inputs(&self) -> &[f64];
-    /// Surveys the mechanism there, with the initial states of coupled groups.
-    fn survey(&self, share: f64, initial_states: &[InitialState]) -> Self::Survey;
-    /// A coupled group, with the initial states of those before it; `None` if there is none.
-    fn coupled(
-        &self,
-        _share: f64,
-        _starts: &[InitialState],
-        _number: usize,
-    ) -> Option<Result<(&'static CoupledGroup, Self::Programs), AssemblyError>> {
-        None
-    }
-}
 
 /// A place on the way.
 struct PathPoint {
@@ -75,14 +47,15 @@ impl From<AssemblyError> for PathEnd {
 /// # Errors
 ///
 /// [`AssemblyError::Blocked`] where it cannot be followed any further.
-pub fn follow_path<W: DimensionPath>(
-    path: &W,
+pub(super) fn follow_path<C: PlainGroups>(
+    path: &MechanismPath<'_, C>,
     states: Vec<Vec<f64>>,
 ) -> Result<Vec<Vec<f64>>, AssemblyError> {
+    let description = path.description();
     let blocked = |share: f64, obstacle: PathEnd| match obstacle {
         PathEnd::Error(error) => error,
         PathEnd::Group(group) => AssemblyError::Blocked {
-            group: GroupRef::new(path.name(), group, &path.groups()[group]),
+            group: GroupRef::new(description.name, group, &description.groups[group]),
             share,
         },
     };
@@ -112,7 +85,10 @@ pub fn follow_path<W: DimensionPath>(
 }
 
 /// The places from the first one to the end of the way, or to an obstacle.
-fn walk<W: DimensionPath>(path: &W, first: PathPoint) -> (Vec<PathPoint>, Option<PathEnd>) {
+fn walk<C: PlainGroups>(
+    path: &MechanismPath<'_, C>,
+    first: PathPoint,
+) -> (Vec<PathPoint>, Option<PathEnd>) {
     let mut points = vec![first];
     let mut length = LONGEST;
     while let last = &points[points.len() - 1]
@@ -131,7 +107,10 @@ fn walk<W: DimensionPath>(path: &W, first: PathPoint) -> (Vec<PathPoint>, Option
 }
 
 /// The first place between others where a group after a coupled one comes apart, and the group.
-fn first_dip<W: DimensionPath>(path: &W, points: &[PathPoint]) -> Option<(f64, usize)> {
+fn first_dip<C: PlainGroups>(
+    path: &MechanismPath<'_, C>,
+    points: &[PathPoint],
+) -> Option<(f64, usize)> {
     let coupled = |group: &usize| matches!(path.levels()[*group], Level::Coupled(_));
     let behind = (0..path.levels().len()).skip_while(|group| !coupled(group));
     let behind: Vec<usize> = behind.filter(|group| !coupled(group)).collect();
@@ -162,7 +141,7 @@ fn first_dip<W: DimensionPath>(path: &W, points: &[PathPoint]) -> Option<(f64, u
 }
 
 /// The first place where a group that no coupled one stands before comes apart, and the group.
-fn first_end<W: DimensionPath>(path: &W) -> Option<(f64, usize)> {
+fn first_end<C: PlainGroups>(path: &MechanismPath<'_, C>) -> Option<(f64, usize)> {
     let coupled = |level: &Level| matches!(level, Level::Coupled(_));
     let count = path
         .levels()
@@ -187,7 +166,11 @@ fn first_end<W: DimensionPath>(path: &W) -> Option<(f64, usize)> {
 }
 
 /// The place at another share of the way, if one step leads there and all groups are assembled.
-fn step<W: DimensionPath>(path: &W, from: &PathPoint, share: f64) -> Result<PathPoint, PathEnd> {
+fn step<C: PlainGroups>(
+    path: &MechanismPath<'_, C>,
+    from: &PathPoint,
+    share: f64,
+) -> Result<PathPoint, PathEnd> {
     let next = reach(path, from, share)?;
     for (group, level) in path.levels().iter().enumerate() {
         let slack = next.slacks[group];
@@ -205,7 +188,11 @@ fn step<W: DimensionPath>(path: &W, from: &PathPoint, share: f64) -> Result<Path
 
 /// The place at another share of the way, if one step of the coupled groups leads there. Other
 /// groups may have come apart.
-fn reach<W: DimensionPath>(path: &W, from: &PathPoint, share: f64) -> Result<PathPoint, PathEnd> {
+fn reach<C: PlainGroups>(
+    path: &MechanismPath<'_, C>,
+    from: &PathPoint,
+    share: f64,
+) -> Result<PathPoint, PathEnd> {
     let mut next = PathPoint {
         share,
         states: from.states.clone(),
@@ -220,11 +207,7 @@ fn reach<W: DimensionPath>(path: &W, from: &PathPoint, share: f64) -> Result<Pat
                     return Err(PathEnd::Group(group));
                 };
                 let (description, mut programs) = programs?;
-                let x: Vec<f64> = description
-                    .inputs
-                    .iter()
-                    .map(|input| path.inputs()[input.index])
-                    .collect();
+                let x = description.inputs_among(path.inputs());
                 let before = &from.states[number];
                 let sign = from.determinants[number];
                 let found = moved(&mut programs, description.variables, &x, before, sign);
@@ -248,7 +231,11 @@ fn reach<W: DimensionPath>(path: &W, from: &PathPoint, share: f64) -> Result<Pat
 }
 
 /// Prepares a solution at its group's inputs alone; `None` where it cannot be certified.
-pub fn state_here(programs: &mut dyn Correction, x: &[f64], state: &[f64]) -> Option<InitialState> {
+pub(super) fn state_here(
+    programs: &mut dyn Correction,
+    x: &[f64],
+    state: &[f64],
+) -> Option<InitialState> {
     let range = |&x: &f64| Range {
         low: x,
         high: x,

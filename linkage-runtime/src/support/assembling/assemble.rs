@@ -16,18 +16,9 @@ pub fn assemble<C: Compiled<States = (), Plain: Compiled<States = ()>>>(
     mechanism: &C,
 ) -> Result<C::Assembly, AssemblyError> {
     let at = mechanism.reference();
-    let result = closed_forms(mechanism, mechanism.default_modes(), &at);
+    let result = finite(mechanism)
+        .and_then(|()| with_states(mechanism, mechanism.default_modes(), &at, (), |_| ()));
     explained(result, mechanism)
-}
-
-/// The assembly of a mechanism without coupled groups in these modes.
-fn closed_forms<C: Compiled<States = (), Plain: Compiled<States = ()>>>(
-    mechanism: &C,
-    modes: C::Modes,
-    at: &C::Inputs,
-) -> Result<C::Assembly, AssemblyError> {
-    finite(mechanism)?;
-    with_states(mechanism, modes, at, (), |_| ())
 }
 
 /// The assembly with these initial states of coupled groups; `lane_states` are those of one lane.

@@ -5,7 +5,7 @@ use linkage_core::Enclosure;
 use linkage_core::numeric::continuation::{Correction, Residuals, Step};
 
 use super::compiled::CoreOf;
-use super::grouped::{GroupProgram, PlainGroups, core};
+use super::grouped::{GroupProgram, PlainGroups, prepared_core};
 use super::winding::wind;
 use crate::error::AssemblyError;
 use crate::support::coupled::{CoupledGroup, CoupledPrograms, pairs, placed, stepped};
@@ -41,7 +41,7 @@ impl<C: PlainGroups> GroupPrograms<C> {
         })?;
         Ok(Self {
             number,
-            core: core(mechanism, modes, revolutions),
+            core: prepared_core(mechanism, modes, revolutions),
             states,
             at: at.clone(),
         })

@@ -134,7 +134,7 @@ where
             Enclosure::from_f64(windings.as_ref()[input])
         },
     );
-    let core = core(&enclosed, &from.modes, revolutions);
+    let core = prepared_core(&enclosed, &from.modes, revolutions);
     Box::new(move |x| {
         let x = core.dimensions.arguments(&states, &List::list(1, |_| x));
         E::survey(&core, x).as_ref()[number]
@@ -142,7 +142,7 @@ where
 }
 
 /// The data of an assembly with these revolutions.
-pub(super) fn core<C: Compiled>(
+pub(super) fn prepared_core<C: Compiled>(
     mechanism: &C,
     modes: &C::Modes,
     revolutions: RevolutionsOf<C>,

@@ -45,6 +45,11 @@ impl CoupledGroup {
         self.terms.is_empty()
     }
 
+    /// The inputs of the group among all inputs of the mechanism.
+    pub(in crate::support) fn inputs_among(&self, all: &[f64]) -> Vec<f64> {
+        self.inputs.iter().map(|input| all[input.index]).collect()
+    }
+
     /// The ranges of its inputs.
     pub(super) fn ranges(&self) -> Vec<Range> {
         self.inputs.iter().map(|input| input.range).collect()

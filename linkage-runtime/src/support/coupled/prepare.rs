@@ -37,7 +37,7 @@ pub fn initial_states<S: AsMut<[InitialState]> + Clone, P: CoupledPrograms>(
 ) -> Result<Vec<S>, AssemblyError> {
     let mut found = vec![nothing];
     for (number, group) in groups.iter().enumerate() {
-        let x: Vec<f64> = group.inputs.iter().map(|input| at[input.index]).collect();
+        let x = group.inputs_among(at);
         let mut next = Vec::new();
         let mut missed = None;
         for before in found {
@@ -180,7 +180,7 @@ pub(in crate::support) fn prepared_over<S: AsMut<[InitialState]>, P: CoupledProg
     programs: impl Fn(usize, &S) -> Result<P, AssemblyError>,
 ) -> Result<S, AssemblyError> {
     for (number, group) in groups.iter().enumerate() {
-        let x: Vec<f64> = group.inputs.iter().map(|input| at[input.index]).collect();
+        let x = group.inputs_among(at);
         let mut programs = programs(number, &initial_states)?;
         let ranges = group.ranges();
         let found = start(group, &mut programs, &x, &states[number], &ranges, false)?;
