@@ -10,7 +10,7 @@ use linkage_symbolic::interpret::run_by;
 use linkage_symbolic::program::{Program, Source};
 
 use crate::mechanism::Mechanism;
-use crate::numbers::{Numbers, States};
+use crate::numbers::{AllRevolutions, Numbers, States};
 use crate::operations::{MultiplyAdds, by_build, over_states};
 
 /// A mechanism with its dimensions.
@@ -19,9 +19,6 @@ pub(crate) struct Compiled<'m> {
     pub(crate) mechanism: &'m Mechanism,
     pub(crate) dimensions: Vec<f64>,
 }
-
-/// The revolutions of all angles.
-pub(crate) type AllRevolutions = Revolutions<Vec<f64>, Vec<Vec<f64>>>;
 
 /// The data of an assembly, in types that shorten with the borrow of the mechanism.
 pub(crate) type Data<'m> = AssemblyData<

@@ -6,12 +6,15 @@ use linkage_symbolic::program::Source;
 
 use crate::mechanism::Mechanism;
 
+/// The revolutions of all angles.
+pub(crate) type AllRevolutions = Revolutions<Vec<f64>, Vec<Vec<f64>>>;
+
 /// A mechanism's numbers at some inputs.
 #[derive(Clone, Copy)]
 pub(crate) struct Numbers<'a> {
     pub(crate) dimensions: &'a [f64],
     pub(crate) modes: &'a [AssemblyMode],
-    pub(crate) revolutions: &'a Revolutions<Vec<f64>, Vec<Vec<f64>>>,
+    pub(crate) revolutions: &'a AllRevolutions,
     pub(crate) prepared: &'a [f64],
     /// Inputs, then the arguments behind them.
     pub(crate) inputs: &'a [f64],

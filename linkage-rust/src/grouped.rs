@@ -27,10 +27,6 @@ pub(super) fn items(outline: &Outline, unit: &CompiledMechanism) -> TokenStream 
         let ty = start_type(outline, start);
         quote!(<#ty>::of::<T>(|__lane| &__lanes[__lane][#number]))
     });
-    let starts = match coupled {
-        true => quote!((#(#starts,)*)),
-        false => quote!(()),
-    };
     let survey = program(outline, &unit.survey, body::outputs);
     let state = outline.starts.iter().enumerate().map(|(number, start)| {
         let first = places.state(number, 0);
@@ -47,7 +43,7 @@ pub(super) fn items(outline: &Outline, unit: &CompiledMechanism) -> TokenStream 
 
                 fn group_data(&self) -> &'static #runtime::GroupData { const { &#data } }
 
-                fn states(&self, __lanes: &[[#runtime::Start; #count]]) -> #states { #starts }
+                fn states(&self, __lanes: &[[#runtime::Start; #count]]) -> #states { (#(#starts,)*) }
 
                 fn survey(__core: &#runtime::CoreOf<Self>, __x: #arguments) -> [T; #numbers] {
                     const __FUSED: __p::bool = #runtime::FUSED;
