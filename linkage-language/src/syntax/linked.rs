@@ -3,7 +3,7 @@
 use proc_macro2::Ident;
 
 use super::expression::PlusMinus;
-use super::expression_tree::Expr;
+use super::expression_tree::{Expr, ExprKind, Toleranced};
 use super::keyword::LinkedWord;
 use super::linked_tree::{
     DrawnJoint, LinkItem, LinkJoint, LinkedItem, SlidePath, SliderItem, WeldItem, WheelsItem,
@@ -52,6 +52,12 @@ impl Parser<'_> {
             let name = self.name("a name after `joint`")?;
             self.equals("write where it is drawn: `joint NAME = (x, y);`")?;
             let position = self.toleranced()?;
+            if let Toleranced::Single { nominal, .. } = &position
+                && matches!(nominal.kind, ExprKind::Number { .. })
+            {
+                let help = format!("write its coordinates: `joint {name} = (x, y);`");
+                return self.fail_at(nominal.span, "a joint is drawn at a point", &help);
+            }
             joints.push(DrawnJoint { name, position });
             if !self.stream.eat_punct(',') {
                 return Ok(joints);

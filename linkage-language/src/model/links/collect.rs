@@ -286,6 +286,15 @@ fn add_slider<'a>(
         diagnostics.error_with_help(name.into(), fact, help);
         return;
     }
+    if linkage.links[guide].joints.contains(&pin) {
+        let fact = format!(
+            "`{}` is a joint of `{}`, and cannot slide on it",
+            item.pin, item.guide
+        );
+        let help = "name the joint of the link that slides, or leave it out of the guide";
+        diagnostics.error_with_help((&item.pin).into(), fact, help);
+        return;
+    }
     if !blocks.any(|link| link.joints.contains(&pin)) {
         let fact = format!("`{}` slides, but belongs to no link", item.pin);
         let help = format!("add it to a link: `link NAME: ..., {};`", item.pin);

@@ -5,52 +5,83 @@ use std::collections::BTreeMap;
 use proc_macro2::Ident;
 
 use super::linkage::{FRAME, Linkage};
-use super::nodes::difference;
-use crate::syntax::{BinaryOp, Expr, ExprKind, Item, MechanismDef, Scale, Toleranced, find_unit};
+use super::nodes::{difference, name};
+use crate::syntax::{
+    BinaryOp, Expr, ExprKind, Item, LinkedItem, MechanismDef, Scale, Toleranced, find_unit,
+};
 
 /// Nested names and operations of a drawn position: more are a mistake, or a circle of names.
 const DEPTH: usize = 64;
 
-pub(super) struct Drawing<'a> {
-    values: Values<'a>,
+pub(super) struct Drawing {
+    values: Values,
     /// The position of each joint; `None` for points that are not drawn.
     pub(super) positions: Vec<Option<Expr>>,
 }
 
 /// What names are at the reference.
-struct Values<'a> {
-    constants: BTreeMap<String, &'a Expr>,
-    /// Parameters and inputs.
-    others: BTreeMap<String, &'a Expr>,
+struct Values {
+    constants: BTreeMap<String, Expr>,
+    /// Parameters, inputs, joints, estimates and what is derived from them.
+    others: BTreeMap<String, Expr>,
 }
 
-pub(super) fn drawing<'a>(definition: &'a MechanismDef, linkage: &Linkage) -> Drawing<'a> {
+pub(super) fn drawing(definition: &MechanismDef, linkage: &Linkage) -> Drawing {
+    let values = values(definition);
+    let joints = linkage.joints.iter();
+    let positions = joints
+        .map(|joint| {
+            let drawn = at_reference(&values, &name(&joint.name), DEPTH);
+            (joint.drawn.is_some() || is_constant(&values, &drawn)).then_some(drawn)
+        })
+        .collect();
+    Drawing { values, positions }
+}
+
+/// Returns the values that the names of a struct block have at the reference, as far as they are
+/// known.
+fn values(definition: &MechanismDef) -> Values {
     let mut values = Values {
         constants: BTreeMap::new(),
         others: BTreeMap::new(),
     };
+    let mut add = |name: String, value: Expr| {
+        values.others.insert(name, value);
+    };
     for item in &definition.items {
         match item {
-            Item::Const(item) => {
-                values.constants.insert(item.name.to_string(), &item.value);
-            }
-            Item::Param(item) => {
-                if let Toleranced::Single { nominal, .. } = &item.value {
-                    values.others.insert(item.name.to_string(), nominal);
+            Item::Param(item) => add(item.name.to_string(), nominal(&item.value)),
+            Item::Input(item) => add(item.name.to_string(), item.value.clone()),
+            Item::Let(item) => add(item.name.to_string(), item.value.clone()),
+            Item::Unknown(item) => {
+                if let Some(estimate) = &item.estimate {
+                    add(item.name.to_string(), estimate.clone());
                 }
             }
-            Item::Input(item) => {
-                values.others.insert(item.name.to_string(), &item.value);
+            Item::Linked(LinkedItem::Joints(joints)) => {
+                for joint in joints {
+                    add(joint.name.to_string(), nominal(&joint.position));
+                }
             }
             // No other item has a value at the reference.
             _ => {}
         }
     }
-    let joints = linkage.joints.iter();
-    let positions = joints
-        .map(|joint| Some(at_reference(&values, &nominal(joint.drawn?), DEPTH)))
-        .collect();
-    Drawing { values, positions }
+    for item in &definition.items {
+        if let Item::Const(item) = item {
+            values
+                .constants
+                .insert(item.name.to_string(), item.value.clone());
+        }
+    }
+    values
+}
+
+fn is_constant(values: &Values, expr: &Expr) -> bool {
+    names(expr).into_iter().all(|name| {
+        let text = name.to_string();
+        text == "PI" || values.constants.contains_key(&text)
+    })
 }
 
 /// Returns a value without its tolerances.
@@ -67,7 +98,7 @@ pub(super) fn nominal(value: &Toleranced) -> Expr {
     }
 }
 
-impl Drawing<'_> {
+impl Drawing {
     /// Returns the vector from one joint to another.
     pub(super) fn vector(&self, from: usize, to: usize) -> Option<Expr> {
         let from = self.positions[from].clone()?;
@@ -76,10 +107,7 @@ impl Drawing<'_> {
 
     /// Returns true for an expression of numbers and constants alone.
     pub(super) fn is_constant(&self, expr: &Expr) -> bool {
-        names(expr).into_iter().all(|name| {
-            let text = name.to_string();
-            text == "PI" || self.values.constants.contains_key(&text)
-        })
+        is_constant(&self.values, expr)
     }
 
     /// Returns an expression with the values that parameters and inputs have at the reference.

@@ -18,11 +18,13 @@ mod sheet;
 mod slides;
 mod wheels;
 
+use std::collections::BTreeMap;
+
 use crate::diagnostic::Diagnostics;
 use crate::syntax::{Item, MechanismDef};
 
-/// Replaces the joints and links of each mechanism by other items. After a mistake, which is
-/// reported, they are left out.
+/// Replaces the joints and links of each mechanism by other items. After a mistake their names stay
+/// known, without values: an item that could not be read would cause further messages.
 pub fn expand(definitions: Vec<MechanismDef>, diagnostics: &mut Diagnostics) -> Vec<MechanismDef> {
     let definitions = definitions.into_iter();
     definitions
@@ -46,16 +48,18 @@ fn expand_mechanism(
     last: usize,
     diagnostics: &mut Diagnostics,
 ) -> MechanismDef {
-    let before = diagnostics.len();
-    let linkage = collect::collect(&definition, diagnostics);
+    let sound = diagnostics.is_empty();
+    let linkage = sound.then(|| collect::collect(&definition, diagnostics));
+    let linkage = linkage.filter(|_| diagnostics.is_empty());
+    let mut renamed = BTreeMap::new();
     let mut items = Vec::new();
-    if diagnostics.len() == before {
+    if let Some(linkage) = linkage {
         items = link_items::items(&definition, &linkage, diagnostics);
+        renamed = mechanics::renamed_bodies(&linkage);
     }
-    if diagnostics.len() > before {
+    if !diagnostics.is_empty() {
         items = lost::items(&definition);
     }
-    let renamed = mechanics::renamed_bodies(&linkage);
     let after = definition.items.split_off(last + 1);
     definition.items.extend(items);
     definition.items.extend(after);

@@ -8,7 +8,7 @@ use super::rigid_bodies::Bodies;
 pub(super) struct Sheet<'a> {
     pub(super) linkage: &'a Linkage<'a>,
     pub(super) bodies: &'a Bodies,
-    pub(super) drawing: &'a Drawing<'a>,
+    pub(super) drawing: &'a Drawing,
     pub(super) plan: &'a Plan,
 }
 
