@@ -31,6 +31,7 @@ mod tolerance;
 mod unexpected;
 mod units;
 mod vocabulary;
+mod written;
 
 pub use ast::*;
 pub use dump::dump;
@@ -44,3 +45,4 @@ pub use spelling::units_within;
 pub use units::{Scale, UnitOfMeasure, find_unit, first_spelling, is_unit};
 pub use vocabulary::Word;
 pub(crate) use vocabulary::vocabulary;
+pub use written::written;
