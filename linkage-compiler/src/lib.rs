@@ -137,7 +137,7 @@ pub fn loops(body: TokenStream) -> String {
     let mut diagnostics = diagnostic::Diagnostics::default();
     let definitions = syntax::parse(body, &mut diagnostics);
     let definitions = model::expand(definitions, &mut diagnostics);
-    definitions.iter().map(syntax::written).collect()
+    definitions.iter().map(syntax::mechanism_text).collect()
 }
 
 /// Reads a value that is given apart from a mechanism, as on a command line: that of a parameter of

@@ -10,6 +10,7 @@ mod files;
 mod hold;
 mod js;
 mod kept;
+mod loops;
 mod machines;
 mod memory;
 mod names;

@@ -206,7 +206,7 @@ enum Operand {
 /// Prints an expression: every operation in parentheses, or as few as possible in the alternate
 /// form.
 fn fmt_expression(f: &mut Formatter, expr: &Expr, operand: Operand) -> fmt::Result {
-    let (own, left, right) = match &expr.kind {
+    let (operation, left, right) = match &expr.kind {
         ExprKind::Negate(_) => (Operand::Signed, Operand::Signed, Operand::Signed),
         ExprKind::Binary(BinaryOp::Add | BinaryOp::Sub, ..) => {
             (Operand::Term, Operand::Term, Operand::Factor)
@@ -216,8 +216,8 @@ fn fmt_expression(f: &mut Formatter, expr: &Expr, operand: Operand) -> fmt::Resu
         }
         _ => (Operand::Primary, Operand::Primary, Operand::Primary),
     };
-    let is_operation = own != Operand::Primary;
-    let enclosed = is_operation && (!f.alternate() || own < operand);
+    let is_operation = operation != Operand::Primary;
+    let enclosed = is_operation && (!f.alternate() || operation < operand);
     f.write_str(if enclosed { "(" } else { "" })?;
     match &expr.kind {
         ExprKind::Number { text, suffix } => show!(f, text, suffix)?,

@@ -6,7 +6,7 @@ use super::expression_tree::ExprKind;
 
 /// Returns the struct block and the functions of a mechanism as a text that can be compiled again.
 /// Comments other than doc comments are not kept.
-pub fn written(definition: &MechanismDef) -> String {
+pub fn mechanism_text(definition: &MechanismDef) -> String {
     let mut text = attributes(&definition.attributes, "");
     let head = |word: &str| {
         let visibility = definition.visibility.to_string();
@@ -24,14 +24,14 @@ pub fn written(definition: &MechanismDef) -> String {
     if !definition.functions.is_empty() {
         text.push_str(&format!("impl {} {{\n", definition.name));
         for function in &definition.functions {
-            text.push_str(&written_function(function));
+            text.push_str(&function_text(function));
         }
         text.push_str("}\n");
     }
     text
 }
 
-fn written_function(function: &FunctionDef) -> String {
+fn function_text(function: &FunctionDef) -> String {
     let visibility = function.visibility.to_string();
     let blank = if visibility.is_empty() { "" } else { " " };
     let inputs: Vec<String> = function.inputs.iter().map(ToString::to_string).collect();
