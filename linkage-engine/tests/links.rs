@@ -13,7 +13,43 @@ struct Pair {
     loops: &'static str,
 }
 
-const PAIRS: [Pair; 10] = [
+const PAIRS: [Pair; 12] = [
+    Pair {
+        name: "linkage RSSR",
+        links: "input phi = 0deg in 0deg..360deg;
+            joint a = (0mm, 0mm, 0mm), b = (0mm, 30mm, 0mm), d = (110mm, 30mm, -50mm);
+            joint c = (110mm, 90mm, -30mm), t = (100mm, 95mm, -20mm);
+            link frame: a, d;
+            link crank: a, b about (1, 0, 0) at phi;
+            link coupler: b, c length 130mm;
+            link rocker: d, c, t about (0, 0.34, 0.94);",
+        loops: "input phi = 0deg in 0deg..360deg;
+            param a = (0mm, 0mm, 0mm); param d = (110mm, 30mm, -50mm);
+            param crank = (0mm, 30mm, 0mm); param rocker = (0mm, 60mm, 20mm); param tip = (-10mm, 65mm, 30mm);
+            param coupler = 130mm;
+            unknown psi = 0deg;
+            let b = a + turn(crank, (1, 0, 0), phi);
+            let c = d + turn(rocker, (0, 0.34, 0.94), psi);
+            let t = d + turn(tip, (0, 0.34, 0.94), psi);
+            loop distance(b, c) = coupler;",
+    },
+    Pair {
+        name: "tripod",
+        links: "input l1 = 200mm in 190mm..210mm;
+            joint f = (100mm, 0mm, 0mm), g = (-50mm, 86mm, 0mm), h = (-50mm, -86mm, 0mm);
+            joint t = (0mm, 0mm, 170mm);
+            link frame: f, g, h;
+            link one: f, t length l1;
+            link two: g, t length 201mm;
+            link three: h, t length 199mm;",
+        loops: "input l1 = 200mm in 190mm..210mm;
+            param f = (100mm, 0mm, 0mm); param g = (-50mm, 86mm, 0mm); param h = (-50mm, -86mm, 0mm);
+            param two = 201mm; param three = 199mm;
+            unknown t = (0mm, 0mm, 170mm);
+            loop distance(f, t) = l1;
+            loop distance(g, t) = two;
+            loop distance(h, t) = three;",
+    },
     Pair {
         name: "four-bar",
         links: "input phi = 60deg in 0deg..360deg;
