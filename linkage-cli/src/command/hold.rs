@@ -3,6 +3,8 @@
 //! Forces are linear in loads, spring rates and masses. Two evaluations give the line, and a third
 //! one at the solution proves that the result has the wanted value.
 
+mod position;
+
 use clap::Args;
 use linkage_compiler::shortened;
 use linkage_engine::Mechanism;
@@ -12,8 +14,9 @@ use super::output::print;
 use super::range;
 use super::sweep::arguments;
 use super::values::{Dimensions, number, parts};
-use crate::failure::{Failure, known_names};
+use crate::failure::{Failure, known_names, listed};
 use crate::normal::normal;
+use position::{inputs_given, note_of_range, reason_of_gap};
 
 /// Options of the command.
 #[derive(Debug, Args)]
@@ -67,11 +70,14 @@ pub(super) fn run(options: &Options) -> Result<(), Failure> {
             .map_or(f64::NAN, |results| results[column])
     };
     let by = &options.by;
+    let inputs = inputs_given(&mechanism, function, &varied.arguments);
+    note_of_range(&mechanism, &inputs, by);
     match solution(result, varied.nominal, wanted) {
         Solution::Value(x) => print(&format!("{by} = {}\n", shown(x, varied.unit))),
         Solution::Constant => Err(Failure::Told(format!("`{by}` does not change `{name}`"))),
         Solution::Missing => Err(Failure::Told(format!(
-            "`{name}` is no number here: the mechanism cannot be assembled, or stands at a dead point or a change point"
+            "`{name}` is no number {}",
+            reason_of_gap(&mechanism, &varied.dimensions, &inputs)?
         ))),
         Solution::Curved => Err(Failure::Told(format!(
             "`{name}` is not linear in `{by}`\n\
@@ -130,16 +136,7 @@ impl<'a> Varied<'a> {
                 (values[dimension], parameter.unit)
             }
             (None, None) => {
-                let parameters = mechanism.parameters().iter();
-                let names = parameters.map(|parameter| parameter.name);
-                let names = heading.arguments.iter().copied().chain(names);
-                return Err(Failure::Told(format!(
-                    "`{}` has no argument and {} no dimension `{}`; there is {}",
-                    heading.function,
-                    mechanism.name(),
-                    shortened(by),
-                    known_names(by, names)
-                )));
+                return Err(unknown(mechanism, function, by));
             }
         };
         let arguments = arguments(mechanism, function, &given)?.complete();
@@ -170,6 +167,32 @@ impl<'a> Varied<'a> {
         let assembly = self.mechanism.assemble(&dimensions)?;
         Ok(assembly.call(self.function, &arguments))
     }
+}
+
+/// Returns the message for a name that is neither an argument nor a dimension.
+fn unknown(mechanism: &Mechanism, function: usize, by: &str) -> Failure {
+    let heading = mechanism.headings()[function];
+    let all = mechanism.headings().iter();
+    let taking = all.filter(|other| other.arguments.contains(&by));
+    let taking: Vec<&str> = taking.map(|other| other.function).collect();
+    if !taking.is_empty() {
+        return Failure::Told(format!(
+            "`{}` does not depend on `{by}`, which it does not take\n\
+             help: `{by}` is an argument of {}",
+            heading.function,
+            listed(taking)
+        ));
+    }
+    let parameters = mechanism.parameters().iter();
+    let names = parameters.map(|parameter| parameter.name);
+    let names = heading.arguments.iter().copied().chain(names);
+    Failure::Told(format!(
+        "`{}` is no argument of `{}` and no dimension of {}; there is {}",
+        shortened(by),
+        heading.function,
+        mechanism.name(),
+        known_names(by, names)
+    ))
 }
 
 /// The answer to the question for which value a result is as wanted.
