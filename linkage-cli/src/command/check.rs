@@ -85,9 +85,13 @@ fn warn_of_singular_positions(mechanism: &Mechanism, dimensions: &[f64]) -> Resu
     let Ok(assembly) = mechanism.assemble(dimensions) else {
         return Ok(());
     };
+    let Some(input) = mechanism.inputs().first() else {
+        return Ok(());
+    };
     for message in unbounded::singular_positions(&assembly, mechanism)? {
         eprintln!(
-            "warning: {message}\nhelp: end the range of the input before it, or write the estimates of the assembly that is meant\n"
+            "warning: {message}\nhelp: end the range of `{}` before it, or write the estimates of the assembly that is meant\n",
+            input.name
         );
     }
     Ok(())
