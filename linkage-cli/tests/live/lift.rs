@@ -135,6 +135,8 @@ fn the_strut_of_a_suspension_is_drawn() {
         );
         let [share, width] = [0, 1].map(|k| rod[k].as_f64().expect("a number"));
         assert!(share > 0.15, "{row}: {share} of the rod is outside");
+        // Plates and bars are below it.
+        assert!(page.holds("[...document.querySelectorAll('.link')].at(-1).matches('.cylinder')"));
         assert!(width >= 5.0, "{row}: {width} pixels");
     }
     page.assert_quiet();
