@@ -62,19 +62,13 @@ fn with_ending(file: &Path) -> Result<PathBuf, Failure> {
 
 /// Returns the reason why a file was not written, and the way out.
 fn refused(file: &Path, error: &io::Error) -> Failure {
-    let folder = file.parent().unwrap_or(Path::new(""));
     let why = match error.kind() {
         ErrorKind::AlreadyExists if file.is_dir() => {
-            "it is a folder\nhelp: give the name of a file in it".to_owned()
+            "it is a folder\nhelp: give the name of a file in it"
         }
         ErrorKind::AlreadyExists => {
             "it exists, and no file is replaced\nhelp: give another name, or remove the file"
-                .to_owned()
         }
-        ErrorKind::NotFound => format!(
-            "there is no folder `{}`\nhelp: make the folder first, or give another name",
-            folder.display()
-        ),
         _ => return Failure::file("write", file, error),
     };
     Failure::Told(format!("cannot write `{}`: {why}", file.display()))
