@@ -81,6 +81,9 @@ fn works(mechanism: &Mechanism, dimensions: &[f64], given: &Dimensions) -> Resul
 
 /// Warns of positions at which forces grow without bound.
 fn warn_of_singular_positions(mechanism: &Mechanism, dimensions: &[f64]) -> Result<(), Failure> {
+    if !unbounded::has_forces(mechanism) {
+        return Ok(());
+    }
     // Without an assembly there is a message already.
     let Ok(assembly) = mechanism.assemble(dimensions) else {
         return Ok(());

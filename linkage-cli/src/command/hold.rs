@@ -6,7 +6,7 @@
 mod position;
 
 use clap::Args;
-use linkage_compiler::shortened;
+use linkage_compiler::{short_words, shortened};
 use linkage_engine::Mechanism;
 
 use super::choose::Chosen;
@@ -74,6 +74,11 @@ pub(super) fn run(options: &Options) -> Result<(), Failure> {
     note_of_range(&mechanism, &inputs, by);
     match solution(result, varied.nominal, wanted) {
         Solution::Value(x) => print(&format!("{by} = {}\n", shown(x, varied.unit))),
+        Solution::Beyond(x) => Err(Failure::Told(format!(
+            "`{by} = {}` is needed, but {}",
+            shown(x, varied.unit),
+            varied.reason_beyond(x)?
+        ))),
         Solution::Constant => Err(Failure::Told(format!("`{by}` does not change `{name}`"))),
         Solution::Missing => Err(Failure::Told(format!(
             "`{name}` is no number {}",
@@ -157,6 +162,24 @@ impl<'a> Varied<'a> {
 
     /// The results of the function for another value.
     fn results(&self, x: f64) -> Result<Vec<f64>, Failure> {
+        let (arguments, dimensions) = self.with(x);
+        let assembly = self.mechanism.assemble(&dimensions)?;
+        Ok(assembly.call(self.function, &arguments))
+    }
+
+    /// Returns the reason why there are no results for another value.
+    fn reason_beyond(&self, x: f64) -> Result<String, Failure> {
+        let (arguments, dimensions) = self.with(x);
+        if let Err(error) = self.mechanism.assemble(&dimensions) {
+            return Ok(format!("with it {}", short_words(&error.to_string())));
+        }
+        let inputs = inputs_given(self.mechanism, self.function, &arguments);
+        let reason = reason_of_gap(self.mechanism, &dimensions, &inputs)?;
+        Ok(format!("there is no result {reason}"))
+    }
+
+    /// All arguments and dimensions with another value.
+    fn with(&self, x: f64) -> (Vec<f64>, Vec<f64>) {
         let [mut arguments, mut dimensions] = [&self.arguments, &self.dimensions].map(Clone::clone);
         if let Some(argument) = self.argument {
             arguments[argument] = x;
@@ -164,8 +187,7 @@ impl<'a> Varied<'a> {
         if let Some(dimension) = self.dimension {
             dimensions[dimension] = x;
         }
-        let assembly = self.mechanism.assemble(&dimensions)?;
-        Ok(assembly.call(self.function, &arguments))
+        (arguments, dimensions)
     }
 }
 
@@ -198,6 +220,8 @@ fn unknown(mechanism: &Mechanism, function: usize, by: &str) -> Failure {
 /// The answer to the question for which value a result is as wanted.
 enum Solution {
     Value(f64),
+    /// The result is as wanted for a value with which the mechanism cannot be assembled.
+    Beyond(f64),
     /// The result does not depend on the value.
     Constant,
     /// The result is not linear in the value.
@@ -225,8 +249,11 @@ fn solution(result: impl Fn(f64) -> f64, nominal: f64, wanted: f64) -> Solution 
     let middle = nominal + 0.5 * (steps * step);
     let [found, halfway] = [x, middle].map(&result);
     let fits = |found: f64, line: f64| (found - line).abs() <= LINEAR * scale;
+    let is_straight = || fits(result(nominal + 0.5 * step), 0.5 * (first + second));
     if fits(found, wanted) && fits(halfway, 0.5 * (first + wanted)) {
         Solution::Value(x)
+    } else if found.is_nan() && is_straight() {
+        Solution::Beyond(x)
     } else {
         Solution::Curved
     }

@@ -119,6 +119,13 @@ impl Unbounded {
     }
 }
 
+/// Returns true if a function of the mechanism has forces among its results.
+pub(super) fn has_forces(mechanism: &Mechanism) -> bool {
+    let headings = mechanism.headings().iter();
+    let mut columns = headings.flat_map(|heading| heading.columns);
+    columns.any(|column| is_force(column.unit))
+}
+
 /// Returns the messages about all functions with forces over the range of the first input.
 pub(super) fn singular_positions(
     assembly: &Assembly<'_>,

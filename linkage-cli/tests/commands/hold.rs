@@ -35,6 +35,7 @@ const LEVER: &str = "
         loop distance((x, 0), polar(40mm, psi)) = rod;
     }
     impl Toggle {
+        pub fn reach() -> Reach { r: 2 * rod }
         pub fn stroke(x, push) -> Stroke { f: push * velocity(psi) * rod }
     }
 ";
@@ -118,6 +119,10 @@ fn what_cannot_be_solved_is_refused() {
             &["stroke", "f=100N", "--by", "push", "--at", "x=91mm"],
             "note: `x = 91 mm` is outside of its range 60 mm .. 80 mm\n\
              error: `f` is no number at `x = 91 mm`: loop 1 (`psi`) misses by 1 mm\n",
+        ),
+        (
+            &["reach", "r=400mm", "--by", "rod"],
+            "error: `rod = 200 mm` is needed, but with it Toggle: loop 1 (psi; RRR) cannot close at the reference input: it misses by 90 mm\n",
         ),
         (
             &["statics", "t=0N*mm", "--by", "phi"],
