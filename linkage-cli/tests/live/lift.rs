@@ -22,6 +22,13 @@ fn singular_positions_are_remarked() {
         remarks(&mut live.page),
         "Forces grow without bound at singular positions, which the mechanism passes: centre.x at length = 470 mm."
     );
+    // Arrows elsewhere are as long as they are without it.
+    live.page.click("[data-vectors=force]");
+    live.page.value("(() => { const own = document.getElementById('position'); own.value = 200; own.dispatchEvent(new Event('input')); return 0; })()");
+    let length = live
+        .page
+        .number("document.querySelector('.force[data-arrow=centre] .line').getTotalLength()");
+    assert!(length > 10.0, "{length} pixels");
     // With a foot that is nearer to the head the arms are level below the range.
     let mut dimensions = live.mechanism.dimensions();
     let names = live.mechanism.parameters().iter();

@@ -33,9 +33,10 @@ function singularPlace(value) {
 
 // The place of a pole between a row and the next one, as a share of the step; null if the force stays finite.
 function poleBetween(values, row) {
+  // Most forces keep their sign.
+  if (!(values[row] * values[row + 1] < 0)) return null;
   const four = values.slice(row - 1, row + 3);
-  const [, low, high] = four;
-  if (four.includes(null) || !(low * high < 0)) return null;
+  if (four.includes(null)) return null;
   const [before, from, to, after] = four.map((value) => 1 / value);
   const rise = to - from;
   const bends = [before - 2 * from + to, from - 2 * to + after];

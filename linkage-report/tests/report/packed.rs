@@ -1,6 +1,18 @@
 //! The data of a page, whose numbers are packed.
 
+use crate::fixture::FourBar;
+use crate::four_bar;
 use serde_json::{Value, json};
+
+#[test]
+fn pages_have_fewer_letters_than_decimals() {
+    let report = four_bar(FourBar::GAPPED);
+    let page = report.html().unwrap();
+    let (_, rest) = page.split_once("id=\"report\">").unwrap();
+    let packed = rest.split_once("</script>").unwrap().0.len();
+    let decimals = report.json().unwrap().len();
+    assert!(5 * packed < 3 * decimals, "{packed} and {decimals} letters");
+}
 
 /// The data of a page with lists of numbers, as in the JSON of the report.
 pub(crate) fn page_data(page: &str) -> Value {
