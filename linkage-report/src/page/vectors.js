@@ -12,8 +12,8 @@ const DIFFERENCES = {
   2: [[35 / 12, -26 / 3, 19 / 2, -14 / 3, 11 / 12], [11 / 12, -5 / 3, 1 / 2, 1 / 3, -1 / 12], [-1 / 12, 4 / 3, -5 / 2, 4 / 3, -1 / 12]],
 };
 
-// The share of forces that are usual, and the largest arrow compared with these.
-const FORCES = { usual: 0.9, most: 4 };
+// The longest arrow beside a singular position, compared with the middle one of all.
+const MOST_OF_MIDDLE = 4;
 
 const vectors = { shown: new Map(), nodes: new Map(), longest: new Map(), layer: null };
 
@@ -112,7 +112,7 @@ function forceAt(parts, row) {
   return force.includes(null) ? null : force;
 }
 
-// All forces have one scale. Near singular positions they are so large that no other one would be seen: these are drawn too short.
+// All forces have one scale. Near a singular position they are so large that no other one would be seen: these are drawn too short.
 function longestForce() {
   if (!vectors.longest.has("force")) {
     const sizes = [];
@@ -121,8 +121,8 @@ function longestForce() {
       eachRow((row) => sizes.push(Math.hypot(...(forceAt(parts, row) ?? [0]))));
     }
     sizes.sort((a, b) => a - b);
-    const [usual, largest] = [sizes[Math.floor(FORCES.usual * sizes.length)], sizes.at(-1)];
-    vectors.longest.set("force", usual > 0 ? Math.min(largest, FORCES.most * usual) : largest);
+    const [middle, largest] = [sizes[Math.floor(sizes.length / 2)], sizes.at(-1)];
+    vectors.longest.set("force", singularWords() !== null && middle > 0 ? Math.min(largest, MOST_OF_MIDDLE * middle) : largest);
   }
   return vectors.longest.get("force");
 }
