@@ -29,6 +29,7 @@ mod sweep;
 mod table;
 mod terminal;
 mod tolerance;
+mod unbounded;
 mod values;
 
 /// Mechanisms from their loop equations: checked, tabulated, shown.

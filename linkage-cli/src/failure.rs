@@ -1,7 +1,7 @@
 //! Why a command ends without a result.
 
 use std::fmt::{self, Display, Formatter};
-use std::io;
+use std::io::{self, ErrorKind};
 use std::path::Path;
 
 use linkage_compiler::{short_words, shortened};
@@ -22,9 +22,18 @@ pub enum Failure {
 }
 
 impl Failure {
-    /// A file that cannot be read or written; `doing` says which.
+    /// A file that cannot be shown, made or written; `doing` says which.
     pub(crate) fn file(doing: &str, path: &Path, error: &io::Error) -> Self {
-        Self::Told(format!("cannot {doing} `{}`: {error}", path.display()))
+        let is_missing = |folder: &&Path| !folder.as_os_str().is_empty() && !folder.exists();
+        let folder = path.parent().filter(is_missing);
+        let why = match (error.kind(), folder) {
+            (ErrorKind::NotFound, Some(folder)) if doing == "write" => format!(
+                "there is no folder `{}`\nhelp: make the folder first, or give another name",
+                folder.display()
+            ),
+            _ => error.to_string(),
+        };
+        Self::Told(format!("cannot {doing} `{}`: {why}", path.display()))
     }
 }
 

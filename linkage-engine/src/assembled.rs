@@ -139,6 +139,15 @@ impl<'m> Assembly<'m> {
             .split_off(1 + self.mechanism().compiled.groups.len())
     }
 
+    /// Returns the gap by which each group misses closing at these inputs, in the unit of its loops:
+    /// 0 for a group that closes, NaN after one that does not.
+    #[must_use]
+    pub fn gaps(&self, inputs: &[f64]) -> Vec<f64> {
+        let (compiled, modes, prepared) = self.core().loaded();
+        let x = compiled.arguments(self.starts(), &inputs.to_vec());
+        compiled.gaps(modes, prepared, x).as_ref().to_vec()
+    }
+
     /// The least margin of all groups, the slack of every group, the numbers of the unknowns.
     fn survey(&self, inputs: &[f64]) -> Vec<f64> {
         let core = self.core();

@@ -1,6 +1,7 @@
 //! Texts with mechanisms.
 
 use std::fs;
+use std::io;
 use std::ops::Range;
 use std::path::Path;
 
@@ -40,7 +41,8 @@ impl Source {
     pub fn read(path: &Path) -> Result<Self, SourceError> {
         let text = fs::read_to_string(path);
         let text = text.map_err(|error| {
-            SourceError::Message(format!("cannot read `{}`: {error}", path.display()))
+            let why = unread(path, &error);
+            SourceError::Message(format!("cannot read `{}`: {why}", path.display()))
         })?;
         Self::new(&path.display().to_string(), &text)
     }
@@ -164,4 +166,22 @@ fn no_tokens(name: &str, text: &str, error: &LexError) -> String {
         .annotation(AnnotationKind::Primary.span(start..end));
     let report = [Level::ERROR.primary_title(title).element(snippet)];
     Renderer::plain().render(&report)
+}
+
+/// Returns the reason why a file was not read, and the file that is probably meant.
+fn unread(path: &Path, error: &io::Error) -> String {
+    if path.is_dir() {
+        return "it is a folder".to_owned();
+    }
+    if error.kind() != io::ErrorKind::NotFound {
+        return error.to_string();
+    }
+    let meant = path.with_extension("mech");
+    match meant.is_file() {
+        true => format!(
+            "there is no such file\nhelp: there is `{}`",
+            meant.display()
+        ),
+        false => "there is no such file".to_owned(),
+    }
 }

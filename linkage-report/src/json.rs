@@ -1,6 +1,7 @@
 //! The report as JSON, the input of the page.
 
 mod live;
+mod packed;
 mod series;
 mod signs;
 
@@ -26,17 +27,17 @@ use series::Series;
 /// Returns the whole report as JSON.
 pub(super) fn report_json(report: &Report) -> Result<String, ReportError> {
     check::check(report)?;
-    Ok(report_value(report, None).to_string())
+    Ok(report_value(report, Series::new(report, None, false)).to_string())
 }
 
-/// Returns the JSON of the page, without the rows that it does not show.
+/// Returns the JSON of the page, with packed numbers and without the rows that it does not show.
 pub(super) fn page_json(report: &Report) -> Result<String, ReportError> {
     check::check(report)?;
-    Ok(report_value(report, downsample::page_rows(report).as_deref()).to_string())
+    let rows = downsample::page_rows(report);
+    Ok(report_value(report, Series::new(report, rows.as_deref(), true)).to_string())
 }
 
-fn report_value(report: &Report, rows: Option<&[usize]>) -> Value {
-    let series = Series::new(report, rows);
+fn report_value(report: &Report, series: Series<'_>) -> Value {
     let hues = palette::palette(report);
     let (bands, accuracy) = tolerance_values(report, &series);
     let tables = report.tables.iter().enumerate();
@@ -50,7 +51,7 @@ fn report_value(report: &Report, rows: Option<&[usize]>) -> Value {
             "values": series.picked(&report.positions),
             "periodic": missing::is_periodic(report),
         },
-        "thinned": rows.map(|rows| json!({ "rows": rows.len(), "of": report.positions.len() })),
+        "thinned": series.rows.map(|rows| json!({ "rows": rows.len(), "of": report.positions.len() })),
         "tables": list(tables, |(index, table)| table_value(report, &series, &hues, index, table)),
         "bands": bands,
         "accuracy": accuracy,

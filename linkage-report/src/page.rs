@@ -21,7 +21,7 @@ const STYLES: [&str; 7] = [
     include_str!("page/print.css"),
 ];
 /// Joined in this order; the last one starts the page.
-const SCRIPTS: [&str; 46] = [
+const SCRIPTS: [&str; 47] = [
     include_str!("page/dom.js"),
     include_str!("page/fresh.js"),
     include_str!("page/numbers.js"),
@@ -67,6 +67,7 @@ const SCRIPTS: [&str; 46] = [
     include_str!("page/theme.js"),
     include_str!("page/print.js"),
     include_str!("page/stage.js"),
+    include_str!("page/singular.js"),
     include_str!("page/start.js"),
 ];
 

@@ -20,6 +20,7 @@ mod mcpherson;
 mod reports;
 mod spatial_crank_rocker;
 mod suspension;
+mod templates;
 mod two_crank_triad;
 
 use linkage::report::{Index, Report};
@@ -27,9 +28,13 @@ use std::error::Error;
 use std::io::Write;
 use std::path::Path;
 use std::time::Instant;
+use templates::TEMPLATES;
 
 /// The folder of a report and what makes it.
 type Job = (&'static str, fn() -> Result<Report, Box<dyn Error>>);
+
+/// A function that makes a report.
+type Make = Box<dyn Fn() -> Result<Report, Box<dyn Error>>>;
 
 const JOBS: [Job; 9] = [
     ("favorit", reports::favorit),
@@ -46,12 +51,18 @@ const JOBS: [Job; 9] = [
 /// Writes all reports, and the page that leads to them.
 fn write(folder: &Path) -> Result<(), Box<dyn Error>> {
     let mut index = Index::new("Gallery of mechanisms");
-    for (number, (name, make)) in (1..).zip(JOBS) {
+    let jobs = JOBS.map(|(name, make)| (name.to_owned(), Box::new(make) as Make));
+    let templates = TEMPLATES.iter().map(|(name, text)| {
+        let make = || templates::report(text);
+        (format!("template_{name}"), Box::new(make) as Make)
+    });
+    let count = JOBS.len() + TEMPLATES.len();
+    for (number, (name, make)) in (1..).zip(jobs.into_iter().chain(templates)) {
         let start = Instant::now();
-        print!("[{number}/{}] {name}: ", JOBS.len());
+        print!("[{number}/{count}] {name}: ");
         std::io::stdout().flush()?;
         let report = make()?;
-        let files = report.write(folder.join(name))?;
+        let files = report.write(folder.join(&name))?;
         let size: u64 = files
             .iter()
             .filter_map(|file| file.metadata().ok())
@@ -63,7 +74,7 @@ fn write(folder: &Path) -> Result<(), Box<dyn Error>> {
             size as f64 * 1e-6,
             start.elapsed().as_secs_f64()
         );
-        index = index.report(name, &report);
+        index = index.report(&name, &report);
     }
     let page = index.write(folder)?;
     println!("Open {}", page.display());

@@ -12,6 +12,7 @@ use super::assemblies::{not_listed, placed, shown};
 use super::output::print;
 use super::range;
 use super::terminal::is_coloured;
+use super::unbounded;
 use super::values::Dimensions;
 use crate::failure::Failure;
 use crate::look_alike::look_alikes;
@@ -60,6 +61,7 @@ fn one(file: &Path, given: &Dimensions) -> Result<bool, Failure> {
         if dimensions_known.are_given() {
             sound &= works(mechanism, &dimensions, &dimensions_known)?;
         }
+        warn_of_singular_positions(mechanism, &dimensions)?;
     }
     Ok(sound)
 }
@@ -75,6 +77,27 @@ fn works(mechanism: &Mechanism, dimensions: &[f64], given: &Dimensions) -> Resul
     };
     eprint!("{}", range::rendered(&level, given, &report));
     Ok(report.is_sound() || !is_declared)
+}
+
+/// Warns of positions at which forces grow without bound.
+fn warn_of_singular_positions(mechanism: &Mechanism, dimensions: &[f64]) -> Result<(), Failure> {
+    if !unbounded::has_forces(mechanism) {
+        return Ok(());
+    }
+    // Without an assembly there is a message already.
+    let Ok(assembly) = mechanism.assemble(dimensions) else {
+        return Ok(());
+    };
+    let Some(input) = mechanism.inputs().first() else {
+        return Ok(());
+    };
+    for message in unbounded::singular_positions(&assembly, mechanism)? {
+        eprintln!(
+            "warning: {message}\nhelp: end the range of `{}` before it, or write the estimates of the assembly that is meant\n",
+            input.name
+        );
+    }
+    Ok(())
 }
 
 /// Structure, assemblies, ranges, operation counts.

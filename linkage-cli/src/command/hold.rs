@@ -3,8 +3,10 @@
 //! Forces are linear in loads, spring rates and masses. Two evaluations give the line, and a third
 //! one at the solution proves that the result has the wanted value.
 
+mod position;
+
 use clap::Args;
-use linkage_compiler::shortened;
+use linkage_compiler::{short_words, shortened};
 use linkage_engine::Mechanism;
 
 use super::choose::Chosen;
@@ -12,8 +14,9 @@ use super::output::print;
 use super::range;
 use super::sweep::arguments;
 use super::values::{Dimensions, number, parts};
-use crate::failure::{Failure, known_names};
+use crate::failure::{Failure, known_names, listed};
 use crate::normal::normal;
+use position::{inputs_given, note_of_range, reason_of_gap};
 
 /// Options of the command.
 #[derive(Debug, Args)]
@@ -67,11 +70,19 @@ pub(super) fn run(options: &Options) -> Result<(), Failure> {
             .map_or(f64::NAN, |results| results[column])
     };
     let by = &options.by;
+    let inputs = inputs_given(&mechanism, function, &varied.arguments);
+    note_of_range(&mechanism, &inputs, by);
     match solution(result, varied.nominal, wanted) {
         Solution::Value(x) => print(&format!("{by} = {}\n", shown(x, varied.unit))),
+        Solution::Beyond(x) => Err(Failure::Told(format!(
+            "`{by} = {}` is needed, but {}",
+            shown(x, varied.unit),
+            varied.reason_beyond(x)?
+        ))),
         Solution::Constant => Err(Failure::Told(format!("`{by}` does not change `{name}`"))),
         Solution::Missing => Err(Failure::Told(format!(
-            "`{name}` is no number here: the mechanism cannot be assembled, or stands at a dead point or a change point"
+            "`{name}` is no number {}",
+            reason_of_gap(&mechanism, &varied.dimensions, &inputs)?
         ))),
         Solution::Curved => Err(Failure::Told(format!(
             "`{name}` is not linear in `{by}`\n\
@@ -130,16 +141,7 @@ impl<'a> Varied<'a> {
                 (values[dimension], parameter.unit)
             }
             (None, None) => {
-                let parameters = mechanism.parameters().iter();
-                let names = parameters.map(|parameter| parameter.name);
-                let names = heading.arguments.iter().copied().chain(names);
-                return Err(Failure::Told(format!(
-                    "`{}` has no argument and {} no dimension `{}`; there is {}",
-                    heading.function,
-                    mechanism.name(),
-                    shortened(by),
-                    known_names(by, names)
-                )));
+                return Err(unknown(mechanism, function, by));
             }
         };
         let arguments = arguments(mechanism, function, &given)?.complete();
@@ -160,6 +162,24 @@ impl<'a> Varied<'a> {
 
     /// The results of the function for another value.
     fn results(&self, x: f64) -> Result<Vec<f64>, Failure> {
+        let (arguments, dimensions) = self.with(x);
+        let assembly = self.mechanism.assemble(&dimensions)?;
+        Ok(assembly.call(self.function, &arguments))
+    }
+
+    /// Returns the reason why there are no results for another value.
+    fn reason_beyond(&self, x: f64) -> Result<String, Failure> {
+        let (arguments, dimensions) = self.with(x);
+        if let Err(error) = self.mechanism.assemble(&dimensions) {
+            return Ok(format!("with it {}", short_words(&error.to_string())));
+        }
+        let inputs = inputs_given(self.mechanism, self.function, &arguments);
+        let reason = reason_of_gap(self.mechanism, &dimensions, &inputs)?;
+        Ok(format!("there is no result {reason}"))
+    }
+
+    /// All arguments and dimensions with another value.
+    fn with(&self, x: f64) -> (Vec<f64>, Vec<f64>) {
         let [mut arguments, mut dimensions] = [&self.arguments, &self.dimensions].map(Clone::clone);
         if let Some(argument) = self.argument {
             arguments[argument] = x;
@@ -167,14 +187,41 @@ impl<'a> Varied<'a> {
         if let Some(dimension) = self.dimension {
             dimensions[dimension] = x;
         }
-        let assembly = self.mechanism.assemble(&dimensions)?;
-        Ok(assembly.call(self.function, &arguments))
+        (arguments, dimensions)
     }
+}
+
+/// Returns the message for a name that is neither an argument nor a dimension.
+fn unknown(mechanism: &Mechanism, function: usize, by: &str) -> Failure {
+    let heading = mechanism.headings()[function];
+    let all = mechanism.headings().iter();
+    let taking = all.filter(|other| other.arguments.contains(&by));
+    let taking: Vec<&str> = taking.map(|other| other.function).collect();
+    if !taking.is_empty() {
+        return Failure::Told(format!(
+            "`{}` does not depend on `{by}`, which it does not take\n\
+             help: `{by}` is an argument of {}",
+            heading.function,
+            listed(taking)
+        ));
+    }
+    let parameters = mechanism.parameters().iter();
+    let names = parameters.map(|parameter| parameter.name);
+    let names = heading.arguments.iter().copied().chain(names);
+    Failure::Told(format!(
+        "`{}` is no argument of `{}` and no dimension of {}; there is {}",
+        shortened(by),
+        heading.function,
+        mechanism.name(),
+        known_names(by, names)
+    ))
 }
 
 /// The answer to the question for which value a result is as wanted.
 enum Solution {
     Value(f64),
+    /// The result is as wanted for a value with which the mechanism cannot be assembled.
+    Beyond(f64),
     /// The result does not depend on the value.
     Constant,
     /// The result is not linear in the value.
@@ -202,8 +249,11 @@ fn solution(result: impl Fn(f64) -> f64, nominal: f64, wanted: f64) -> Solution 
     let middle = nominal + 0.5 * (steps * step);
     let [found, halfway] = [x, middle].map(&result);
     let fits = |found: f64, line: f64| (found - line).abs() <= LINEAR * scale;
+    let is_straight = || fits(result(nominal + 0.5 * step), 0.5 * (first + second));
     if fits(found, wanted) && fits(halfway, 0.5 * (first + wanted)) {
         Solution::Value(x)
+    } else if found.is_nan() && is_straight() {
+        Solution::Beyond(x)
     } else {
         Solution::Curved
     }

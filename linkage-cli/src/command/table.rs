@@ -71,6 +71,9 @@ pub(super) fn run(options: &Options) -> Result<(), Failure> {
             table.missing, along.positions.count
         );
     }
+    for message in table.singular_positions() {
+        eprintln!("note: {message}");
+    }
     Ok(())
 }
 

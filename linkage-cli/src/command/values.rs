@@ -209,7 +209,9 @@ fn quantity(
     let pairs = found.iter().zip(units);
     pairs
         .map(|(scalar, &unit)| {
-            match scalar.unit == unit || scalar.nominal == 0.0 && scalar.tolerance == 0.0 {
+            // A bare zero has every unit.
+            let is_zero = scalar.nominal == 0.0 && scalar.tolerance == 0.0;
+            match scalar.unit == unit || scalar.unit.is_empty() && is_zero {
                 true => Ok(Number {
                     value: scalar.nominal,
                     tolerance: is_tolerated.then_some(scalar.tolerance),

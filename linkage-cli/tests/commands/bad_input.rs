@@ -15,7 +15,15 @@ fn bad_input_is_told_in_one_message() {
     for (said, expected) in [
         (
             refused(&folder, &["check", "none.mech"], 1),
-            "error: cannot read `none.mech`: ",
+            "error: cannot read `none.mech`: there is no such file\n",
+        ),
+        (
+            refused(&folder, &["check", "own"], 1),
+            "error: cannot read `own`: there is no such file\nhelp: there is `own.mech`\n",
+        ),
+        (
+            refused(&folder, &["check", "."], 1),
+            "error: cannot read `.`: it is a folder\n",
         ),
         (
             refused(&folder, &["table", "own.mech", "strike"], 1),
@@ -73,7 +81,7 @@ fn bad_input_is_told_in_one_message() {
         ),
         (
             table(&["-o", "none/own.csv"]),
-            "error: cannot write `none/own.csv`: ",
+            "error: cannot write `none/own.csv`: there is no folder `none`\nhelp: make the folder first, or give another name\n",
         ),
         (
             refused(&folder, &["tolerance", "own.mech", "stroke"], 1),

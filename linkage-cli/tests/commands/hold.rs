@@ -4,7 +4,7 @@ use std::f64::consts::PI;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use crate::{folder, printed, refused};
+use crate::{folder, linkage, printed, refused};
 
 const LEVER: &str = "
     pub struct Lever {
@@ -35,6 +35,7 @@ const LEVER: &str = "
         loop distance((x, 0), polar(40mm, psi)) = rod;
     }
     impl Toggle {
+        pub fn reach() -> Reach { r: 2 * rod }
         pub fn stroke(x, push) -> Stroke { f: push * velocity(psi) * rod }
     }
 ";
@@ -116,7 +117,12 @@ fn what_cannot_be_solved_is_refused() {
         ),
         (
             &["stroke", "f=100N", "--by", "push", "--at", "x=91mm"],
-            "error: `f` is no number here: the mechanism cannot be assembled, or stands at a dead point or a change point\n",
+            "note: `x = 91 mm` is outside of its range 60 mm .. 80 mm\n\
+             error: `f` is no number at `x = 91 mm`: loop 1 (`psi`) misses by 1 mm\n",
+        ),
+        (
+            &["reach", "r=400mm", "--by", "rod"],
+            "error: `rod = 200 mm` is needed, but with it Toggle: loop 1 (psi; RRR) cannot close at the reference input: it misses by 90 mm\n",
         ),
         (
             &["statics", "t=0N*mm", "--by", "phi"],
@@ -140,7 +146,15 @@ fn what_cannot_be_solved_is_refused() {
         ),
         (
             &["statics", "t=0N*mm", "--by", "weight"],
-            "error: `statics` has no argument and Lever no dimension `weight`; there is `phi`, `load`, `arm`, `rate`, `free` and `mass`\n",
+            "error: `weight` is no argument of `statics` and no dimension of Lever; there is `phi`, `load`, `arm`, `rate`, `free` and `mass`\n",
+        ),
+        (
+            &["statics", "t=0N*mm", "--by", "omega"],
+            "error: `statics` does not depend on `omega`, which it does not take\nhelp: `omega` is an argument of `motion`\n",
+        ),
+        (
+            &["statics", "t=0mm", "--by", "load"],
+            "error: `t=0mm`: this is in mm, `t` is in N*mm\n",
         ),
         (
             &["statics", "t=0N*mm", "--by", "load", "--at", "load=1N"],
@@ -154,4 +168,21 @@ fn what_cannot_be_solved_is_refused() {
         let arguments = [&["hold", "lever.mech"], arguments].concat();
         assert_eq!(refused(&folder, &arguments, 1), expected, "{arguments:?}");
     }
+}
+
+#[test]
+fn positions_outside_of_the_range_are_named() {
+    let folder = lever("hold_outside");
+    let said = |phi: &str| {
+        let given = format!("phi={phi}");
+        let arguments = ["statics", "t=0", "--by", "load", "--at", &given];
+        let output = linkage(&folder, &[&["hold", "lever.mech"], &arguments[..]].concat());
+        assert!(output.status.success());
+        String::from_utf8(output.stderr).expect("a text")
+    };
+    assert_eq!(
+        said("85deg"),
+        "note: `phi = 85 deg` is outside of its range 0 deg .. 80 deg\n"
+    );
+    assert_eq!(said("80deg"), "");
 }

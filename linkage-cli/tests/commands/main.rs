@@ -24,6 +24,7 @@ mod start;
 mod tables;
 mod templates;
 mod time;
+mod unbounded;
 mod watched;
 
 use std::fs;

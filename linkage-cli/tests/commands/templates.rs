@@ -96,7 +96,10 @@ fn a_file_is_never_replaced_and_templates_are_listed() {
         &["new", "own.mech", "--from", "wiper"],
     ] {
         let said = refused(&folder, arguments, 1);
-        assert!(said.starts_with("error: cannot write `own.mech`"), "{said}");
+        assert_eq!(
+            said,
+            "error: cannot write `own.mech`: it exists, and no file is replaced\nhelp: give another name, or remove the file\n"
+        );
     }
     assert_eq!(
         fs::read_to_string(folder.join("own.mech")).ok().as_deref(),
@@ -110,6 +113,37 @@ fn a_file_is_never_replaced_and_templates_are_listed() {
     );
     assert!(!folder.join("other.mech").exists());
     refused(&folder, &["new"], 2);
+    // A list is not a file.
+    let said = refused(&folder, &["new", "other.mech", "--list"], 2);
+    assert!(said.contains("cannot be used with '--list'"), "{said}");
+    assert!(!folder.join("other.mech").exists());
+}
+
+#[test]
+fn names_of_new_files_get_their_ending() {
+    let folder = folder("templates_named");
+    let said = printed(&folder, &["new", "q", "--from", "clamp"]);
+    assert!(said.contains(" is in `q.mech`: change it"), "{said}");
+    assert!(folder.join("q.mech").exists() && !folder.join("q").exists());
+    printed(&folder, &["new", "notes.txt"]);
+    assert!(folder.join("notes.txt").exists());
+    for (name, expected) in [
+        (
+            "q",
+            "`q.mech`: it exists, and no file is replaced\nhelp: give another name, or remove the file\n",
+        ),
+        (
+            "no/q",
+            "`no/q.mech`: there is no folder `no`\nhelp: make the folder first, or give another name\n",
+        ),
+        (
+            "q.rs",
+            "`q.rs`: a mechanism without Rust code does not belong in a Rust file\nhelp: write `linkage new q.mech`\n",
+        ),
+    ] {
+        let said = refused(&folder, &["new", name], 1);
+        assert_eq!(said, format!("error: cannot write {expected}"));
+    }
 }
 
 #[test]

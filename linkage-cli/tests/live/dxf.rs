@@ -3,13 +3,14 @@
 use std::fs;
 use std::path::Path;
 
+use linkage_browser::REPORT;
 use serde_json::Value;
 
 use crate::pages::Live;
 
 /// Moves to the position that is nearest to the reference, as the file beside the page.
 const TO_REFERENCE: &str = "(() => { \
-     const { input } = JSON.parse(document.getElementById('report').textContent); \
+     const { input } = PAGE; \
      const away = input.values.map((x) => Math.abs(x - REFERENCE)); \
      const slider = document.getElementById('position'); \
      slider.value = away.indexOf(Math.min(...away)); \
@@ -68,8 +69,11 @@ fn the_page_saves_the_file_that_is_beside_it() {
             continue;
         };
         let reference = live.mechanism.inputs()[0].reference;
-        live.page
-            .value(&TO_REFERENCE.replace("REFERENCE", &format!("{reference:?}")));
+        live.page.value(
+            &TO_REFERENCE
+                .replace("PAGE", REPORT)
+                .replace("REFERENCE", &format!("{reference:?}")),
+        );
         let (page, file) = (
             groups(&saved(&mut live, "mechanism.dxf")),
             groups(&beside(name)),

@@ -6,6 +6,7 @@ mod dxf;
 mod figures;
 mod gaps;
 mod hands;
+mod lift;
 mod many;
 mod pages;
 mod quotients;

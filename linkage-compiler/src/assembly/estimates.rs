@@ -18,6 +18,10 @@ const FAR_ANGLE: f64 = FRAC_PI_3;
 /// A length farther off than this share of the mechanism's size is not the one that was meant.
 const FAR_SHARE: f64 = 0.5;
 
+/// An unknown of the other sign farther off than this part of the allowed difference has an
+/// estimate of the wrong sign: smaller ones are estimates about zero.
+const OTHER_SIGN: f64 = 0.5;
+
 /// The rounding that may be added to a difference that is just allowed.
 const ROUNDING: f64 = 1e-9;
 
@@ -169,6 +173,9 @@ pub(super) fn meets_estimates(
     choice: Choice,
 ) -> bool {
     let Some(unmet) = all.first().and_then(|chosen| worst(assembly, chosen)) else {
+        if let Some(chosen) = all.first() {
+            warn_of_sign(assembly, solved, chosen);
+        }
         return true;
     };
     let item = &assembly.algebra.mechanism.unknowns[unmet.unknown];
@@ -188,6 +195,39 @@ pub(super) fn meets_estimates(
     let origin = estimate.map_or(item.origin, |estimate| estimate.origin);
     assembly.reporter.error(origin, message);
     false
+}
+
+/// Warns of the estimates that are allowed, and would be nearer with the other sign.
+fn warn_of_sign(assembly: &mut Assembly<'_, '_>, solved: &Solved, chosen: &Position) {
+    for (unknown, value) in &chosen.values {
+        let item = &assembly.algebra.mechanism.unknowns[*unknown];
+        let ([x], [estimate]) = (&value[..], &assembly.nominal.estimates[*unknown][..]) else {
+            continue;
+        };
+        let Some(written) = &item.estimate else {
+            continue;
+        };
+        let is_other_sign = x * estimate < 0.0 && excess(assembly, *unknown, value) > OTHER_SIGN;
+        // A half turn is an angle with both signs.
+        if !is_other_sign || (x + estimate).abs() >= (x - estimate).abs() {
+            continue;
+        }
+        let coordinate = assembly.words.coordinate(&item.ty, value);
+        let fact = format!(
+            "`{}` is found at {coordinate}, {} its estimate {}{}: of the other sign",
+            item.name,
+            difference(assembly, *unknown, value),
+            assembly.words.coordinate(&item.ty, &[*estimate]),
+            assembly.words.at_reference(&assembly.nominal.inputs),
+        );
+        let help = format!(
+            "if this assembly is meant, write `unknown {};`; otherwise look for a wrong sign in {}",
+            assembly.words.unknown_value(*unknown, value),
+            loop_list(&solved.group.loops)
+        );
+        let origin = written.origin;
+        assembly.reporter.warning_with_help(origin, fact, help);
+    }
 }
 
 /// `loop 1 has two assemblies:`, and each on a line as estimates that can be copied.

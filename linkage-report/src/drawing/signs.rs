@@ -20,11 +20,11 @@ const SOCKET: f64 = 1.75;
 /// Half the length of an arm of a cross.
 const CROSS: f64 = 1.9 * SOCKET;
 /// Half the height of a barrel, and the width of a piston rod.
-const BARREL: f64 = 2.1;
-const ROD: f64 = 1.3;
+const BARREL: f64 = 2.4;
+const ROD: f64 = 1.7;
 /// The length of the barrel as a share of the cylinder's shortest length, and at least this share
 /// of the longest.
-const SHARE: [f64; 2] = [0.85, 0.3];
+const SHARE: [f64; 2] = [0.8, 0.3];
 /// Width of outlines.
 const OUTLINE: f64 = 0.35;
 

@@ -2,27 +2,32 @@
 
 use core::hash::{Hash, Hasher};
 use serde_json::{Value, json};
+use std::borrow::Cow;
 use std::collections::BTreeMap;
 use std::hash::DefaultHasher;
 use std::vec::Vec;
 
+use super::packed::packed;
 use crate::builder::Report;
 
 /// Columns of tables whose numbers are in the JSON. Equal series refer to one of them.
 pub(super) struct Series<'a> {
     report: &'a Report,
     /// The rows that are there; `None` for all.
-    rows: Option<&'a [usize]>,
+    pub(super) rows: Option<&'a [usize]>,
+    /// True if numbers are packed, false if every program has to read them.
+    is_packed: bool,
     /// Tables and columns by a number that follows from theirs.
     columns: BTreeMap<u64, Vec<[usize; 2]>>,
 }
 
 impl<'a> Series<'a> {
     /// The first column with its numbers has them, others refer to it.
-    pub(super) fn new(report: &'a Report, rows: Option<&'a [usize]>) -> Self {
+    pub(super) fn new(report: &'a Report, rows: Option<&'a [usize]>, is_packed: bool) -> Self {
         let mut series = Self {
             report,
             rows,
+            is_packed,
             columns: BTreeMap::new(),
         };
         for (table, saved) in report.tables.iter().enumerate() {
@@ -53,9 +58,13 @@ impl<'a> Series<'a> {
 
     /// The numbers themselves.
     pub(super) fn picked(&self, values: &[f64]) -> Value {
-        match self.rows {
-            None => json!(values),
-            Some(rows) => rows.iter().map(|row| json!(values[*row])).collect(),
+        let values = match self.rows {
+            None => Cow::Borrowed(values),
+            Some(rows) => rows.iter().map(|row| values[*row]).collect(),
+        };
+        match self.is_packed {
+            true => packed(&values),
+            false => json!(values),
         }
     }
 

@@ -12,17 +12,25 @@ const MEANINGS = {
 // Curves at the start: enough to get an impression, few enough to be distinguished.
 const FIRST_VALUES = 3;
 const FIRST_RATES = 6;
+// And of one function that is asked for.
+const MOST_VALUES = 12;
 
 const chosen = new Set();
+// Shows in the boxes and on the buttons what is chosen.
+let showChoice = null;
 
 // The values that the functions list first, with their derivatives by time, or by the input.
 function firstChoice() {
-  const values = firstOf("value", () => true, FIRST_VALUES);
-  const names = values.map((column) => column.name);
-  const ofThem = (column) => names.includes(column.of);
-  const rates = firstOf("true", ofThem, FIRST_RATES);
-  const some = [...values, ...(rates.length > 0 ? rates : firstOf("rate", ofThem, FIRST_RATES))];
+  const some = firstAmong(() => true);
   return some.length > 0 ? some : firstOf("picture", isTraced, FIRST_VALUES);
+}
+
+function firstAmong(fits, most = FIRST_VALUES) {
+  const values = firstOf("value", fits, most);
+  const names = values.map((column) => column.name);
+  const ofThem = (column) => fits(column) && names.includes(column.of);
+  const rates = firstOf("true", ofThem, FIRST_RATES);
+  return [...values, ...(rates.length > 0 ? rates : firstOf("rate", ofThem, FIRST_RATES))];
 }
 
 // The first columns of a meaning with numbers in them. A column of several tables is shown once,
@@ -62,9 +70,45 @@ function startChooser(changed) {
   box.id = "quantities";
   box.firstChild.append(count);
   byId("chooser").append(box);
-  const tell = () => { count.textContent = `${chosen.size} of ${columns.length}`; };
-  box.addEventListener("change", tell);
-  tell();
+  const switches = functionSwitches(changed);
+  if (switches.length > 1) byId("chooser").prepend(element("div", { id: "functions", role: "group", "aria-label": "Functions in the plots" }, "Plots of", ...switches));
+  showChoice = () => {
+    count.textContent = `${chosen.size} of ${columns.length}`;
+    for (const own of box.querySelectorAll("[data-column]")) own.checked = chosen.has(own.dataset.column);
+    for (const own of switches) own.setAttribute("aria-pressed", shownPart(own.dataset.function));
+  };
+  box.addEventListener("change", showChoice);
+  showChoice();
+}
+
+// A button for each function with values, which plots all of them that are not plotted, or none.
+function functionSwitches(changed) {
+  const names = new Set(columns.filter((column) => column.meaning === "value" && finite(column)).map(({ table }) => table));
+  return [...names].map((name) => {
+    const button = element("button", { type: "button", "data-function": name, title: `Plots of the function ${name}` }, name);
+    button.addEventListener("click", () => {
+      if (shownPart(name) === "true") for (const { key } of chosenOf(name)) chosen.delete(key);
+      else for (const { key } of missingOf(name)) chosen.add(key);
+      showChoice();
+      changed();
+    });
+    return button;
+  });
+}
+
+// What is plotted of the values of a function, by other functions of the same names, too.
+function shownPart(name) {
+  if (missingOf(name).length === 0) return "true";
+  return chosenOf(name).length > 0 ? "mixed" : "false";
+}
+
+function missingOf(name) {
+  const plottedNames = new Set(columns.filter(({ key }) => chosen.has(key)).map((column) => column.name));
+  return firstAmong(({ table }) => table === name, MOST_VALUES).filter((column) => !plottedNames.has(column.name));
+}
+
+function chosenOf(name) {
+  return columns.filter(({ table, key }) => table === name && chosen.has(key));
 }
 
 function grouped() {
@@ -83,7 +127,7 @@ function choiceBox(column, changed) {
     else chosen.delete(column.key);
     changed();
   });
-  return element("label", { class: "choice" }, box, ` ${column.name}`, element("small", {}, column.unit ? ` ${column.unit}` : ""));
+  return element("label", { class: "choice" }, box, ` ${column.name}`, element("small", {}, column.unit ? ` ${plotUnit(column.unit)}` : ""));
 }
 
 function filterChoices(words) {

@@ -39,9 +39,11 @@ function clipCanvas() {
   return { canvas, paint, show, first };
 }
 
-// The most pictures until the browser records, and milliseconds without data after which it has recorded all.
+// The most pictures until the browser records, milliseconds without data after which it has recorded all, and the most quarters of these: Firefox
+// goes on with a still picture.
 const FILM_WAITS = 100;
 const FILM_REST = 1500;
+const FILM_RESTS = 20;
 
 // The kind of film that the browser records; none if it does not.
 const FILM_KIND = ["webm", "mp4"].find((kind) => globalThis.MediaRecorder?.isTypeSupported(`video/${kind}`));
@@ -78,7 +80,7 @@ async function recordedFilm() {
   }
   // The last pictures are still on their way.
   last = performance.now();
-  while (performance.now() - last < FILM_REST) await wait(FILM_REST / 4);
+  for (let k = 0; k < FILM_RESTS && performance.now() - last < FILM_REST; k += 1) await wait(FILM_REST / 4);
   recorder.stop();
   await stopped;
   return new Blob(parts, { type: `video/${FILM_KIND}` });

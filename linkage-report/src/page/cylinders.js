@@ -1,6 +1,6 @@
 // Cylinders: a barrel from the one end, a piston rod from the other.
 
-const BARREL = { half: 6.5, share: 0.85, least: 0.3 };
+const BARREL = { half: 7.5, share: 0.8, least: 0.3, rod: 4 };
 
 function cylinderPart(guide, index) {
   const outline = shape("path", { class: "outline" });
@@ -24,7 +24,7 @@ function cylinderPart(guide, index) {
       const beside = ([left, top], side) => [left + side * x, top + side * y];
       const corners = [beside(foot, 1), beside(mouth, 1), beside(mouth, -1), beside(foot, -1)];
       set(barrel, { d: `${lineThrough(corners)}Z` });
-      this.covers = [taken([foot, eye], SLOT_HALF), taken(corners, 1)];
+      this.covers = [taken([foot, eye], BARREL.rod), taken(corners, 1)];
       return meanNearness([foot, eye]);
     },
   };

@@ -1,7 +1,7 @@
 // The report that the page shows, and its columns under one roof.
 
 const source = byId("report").textContent.trim();
-const report = JSON.parse(source);
+const report = JSON.parse(source, (_, value) => (value?.f64?.length > 0 ? unpacked(value.f64) : value));
 resolveReferences();
 if (report.live) ownNumbers();
 const input = report.input;
@@ -9,6 +9,24 @@ const rowCount = input.values.length;
 
 // Every column of every table, and the true velocities and accelerations beside them.
 const columns = collectColumns();
+
+// One number for all rows, or the bytes of all, as little-endian processors have them.
+function unpacked(packed) {
+  if (Array.isArray(packed)) return Array(packed[1]).fill(packed[0]);
+  const bytes = Uint8Array.from(atob(packed), (letter) => letter.charCodeAt(0));
+  return Array.from(new Float64Array(bytes.buffer), (number) => (Number.isNaN(number) ? null : number));
+}
+
+// The data with lists of decimals, as the file beside the page has them.
+function sourceInDecimals() {
+  return source.replace(/\{"f64":("[^"]*"|\[[^\]]*\])\}/g, (_, packed) => `[${unpacked(JSON.parse(packed)).map(decimalsOf).join(",")}]`);
+}
+
+// Whole numbers have a point, too, and a zero keeps its sign.
+function decimalsOf(number) {
+  const text = Object.is(number, -0) ? "-0" : String(number);
+  return /^-?\d+$/.test(text) ? `${text}.0` : text;
+}
 
 // Numbers stand in the data once; elsewhere is said in which column.
 function numbersOf(series) {

@@ -28,7 +28,7 @@ function download(name, blob) {
 }
 
 // The original report, names of files, and a line that all files have. A page that computes has others for changed data.
-const saved = { json: () => source, name: (name) => name, note: () => "" };
+const saved = { json: () => sourceInDecimals(), name: (name) => name, note: () => "" };
 
 function downloadButton(name, make) {
   const button = element("button", { type: "button", "data-file": name }, name);

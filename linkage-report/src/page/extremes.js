@@ -2,8 +2,8 @@
 
 const extremes = { shown: true };
 
-// A character of the labels, in pixels, rather too wide, and a line of them; steps away from the point, and how far a label still belongs to it.
-const LABEL = { letter: 6.4, line: 13, step: 6, farthest: 40 };
+// A character of the labels, in pixels, rather too wide, and a line of them; steps away from the point, how far away a label is put, and up to where it needs no line.
+const LABEL = { letter: 6.4, line: 13, step: 6, farthest: 40, beside: 10 };
 
 function extremesChoice() {
   const box = element("input", { id: "extremes", type: "checkbox", checked: extremes.shown });
@@ -78,21 +78,31 @@ function heightsOf({ ys }, across, { left, wide, y }) {
 }
 
 function makeMark({ column, colour }, what) {
-  const [title, circle, label] = [shape("title"), shape("circle", { r: 3, stroke: colour }), shape("text")];
+  const [title, circle, label, leader] = [shape("title"), shape("circle", { r: 3, stroke: colour }), shape("text"), shape("path")];
   const node = shape("g", { "data-extreme": what, "data-of": column.key }, title, circle);
-  return { node, title, circle, label, what };
+  return { node, title, circle, label, leader, what };
 }
 
-function placeMark({ mark: { node, title, circle, label, what }, curve: { column, ys }, row, which, place: [x, y] }, { scales, unit }, labels, lines) {
+function placeMark({ mark: { node, title, circle, label, leader, what }, curve: { column, ys }, row, which, place: [x, y] }, { scales, unit }, labels, lines) {
   const value = digits(rounded(ys[row], 6));
   const at = inputShort(input.values[row]);
   const text = `${value} at ${at}`;
   set(node, { "data-row": row });
   write(title, `${what} ${column.name}: ${value}${unit ? " " + unit : ""} at ${input.name} = ${at}`);
   set(circle, { cx: pixel(x), cy: pixel(y) });
-  const place = labelPlace(scales, [x, y], text.length * LABEL.letter, which, labels, lines);
-  if (place) write(set(label, { x: pixel(place[0]), y: pixel(place[1]) }), text);
-  hold(node, place ? [title, circle, label] : [title, circle]);
+  const length = text.length * LABEL.letter;
+  const place = labelPlace(scales, [x, y], length, which, labels, lines);
+  if (!place) return hold(node, [title, circle]);
+  write(set(label, { x: pixel(place[0]), y: pixel(place[1]) }), text);
+  const line = leaderToLabel([x, y], place, length);
+  if (line) set(leader, { d: lineThrough(line) });
+  hold(node, line ? [title, leader, circle, label] : [title, circle, label]);
+}
+
+// A thin line to a label that is not beside its point; null for one that is.
+function leaderToLabel([x, y], [left, foot], length) {
+  const end = [Math.min(left + length, Math.max(left, x)), Math.min(foot, Math.max(foot - LABEL.line + 4, y))];
+  return distance(end, [x, y]) > LABEL.beside ? [[x, y], end] : null;
 }
 
 // The place of a label within the frame, on no other one and on no curve, as near to its point as there is one; null if there is none.

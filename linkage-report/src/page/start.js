@@ -3,10 +3,10 @@
 // The number of gaps that are listed; plots show all of them.
 const GAPS_TOLD = 4;
 
-// Remarks about the values: gaps, and change points where the mechanism may go on in another
-// assembly.
+// Remarks about the values: gaps, change points where the mechanism may go on in another assembly,
+// and singular positions.
 function sayGaps() {
-  const told = [gapWords(report.gaps ?? []), report.changePoints ?? null].filter((words) => words !== null);
+  const told = [gapWords(report.gaps ?? []), report.changePoints ?? null, singularWords()].filter((words) => words !== null);
   byId("gaps").hidden = told.length === 0;
   byId("gaps").textContent = told.join(" ");
 }

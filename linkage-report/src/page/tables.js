@@ -2,9 +2,11 @@
 
 // Cells are words, nodes, or numbers; numbers are set to the right.
 function grid(id, heads, rows) {
-  const cell = (value) => {
+  const cell = (value, k) => {
     const number = typeof value === "number" || value === null;
-    return number ? showNumber(element("td", { class: "number" }), value) : element("td", {}, value);
+    // The head of its column, for screens that are too narrow for columns.
+    const head = heads[k] ? { "data-head": heads[k] } : {};
+    return number ? showNumber(element("td", { class: "number", ...head }), value) : element("td", head, value);
   };
   const names = heads.map((name) => element("th", { scope: "col" }, name));
   const head = heads.length > 0 ? [element("thead", {}, element("tr", {}, ...names))] : [];

@@ -1,7 +1,7 @@
 // Velocities, accelerations and forces at points as arrows, and the poles about which links turn, where the reader asks for them.
 
-// The longest arrow beside the mechanism, and the head of each, in pixels.
-const ARROW = { share: 0.35, head: 9, half: 3.6 };
+// The longest arrow beside the mechanism, the head of each in pixels, a letter of its name, and the distance of that.
+const ARROW = { share: 0.35, head: 9, half: 3.6, letter: 6.6, apart: 9 };
 // A pole farther away than so many sizes of the mechanism is at infinity, and one so near to a pivot is that.
 const POLE = { far: 20, same: 1e-3, arm: 7 };
 
@@ -11,6 +11,9 @@ const DIFFERENCES = {
   1: [[-25 / 12, 4, -3, 4 / 3, -1 / 4], [-1 / 4, -5 / 6, 3 / 2, -1 / 2, 1 / 12], [1 / 12, -2 / 3, 0, 2 / 3, -1 / 12]],
   2: [[35 / 12, -26 / 3, 19 / 2, -14 / 3, 11 / 12], [11 / 12, -5 / 3, 1 / 2, 1 / 3, -1 / 12], [-1 / 12, 4 / 3, -5 / 2, 4 / 3, -1 / 12]],
 };
+
+// The longest arrow beside a singular position, compared with the middle one of all.
+const MOST_OF_MIDDLE = 4;
 
 const vectors = { shown: new Map(), nodes: new Map(), longest: new Map(), layer: null };
 
@@ -70,20 +73,31 @@ function arrowOf(index, row, order) {
 function arrowAt(index, row, { kind, name, vector, longest, unit }) {
   const place = pointAt(index, row);
   if (place === null || !(longest > 0) || isHidden(["points", index])) return null;
-  const [from, to] = [place, along(place, vector, (ARROW.share * camera.box.radius) / longest)].map((own) => project(own).slice(0, 2));
+  const [from, to] = [place, along(place, vector, (ARROW.share * camera.box.radius) / Math.max(longest, Math.hypot(...vector)))].map((own) => project(own).slice(0, 2));
   const length = distance(from, to);
   const [u, v] = length > 0 ? [(to[0] - from[0]) / length, (to[1] - from[1]) / length] : [1, 0];
   const head = Math.min(ARROW.head, length);
   const half = (ARROW.half * head) / ARROW.head;
   const corner = (side) => [to[0] - head * u - side * half * v, to[1] - head * v + side * half * u];
-  const { node, title, line, head: tip } = vectorNode(`${kind} ${name}`, () => {
-    const parts = { title: shape("title"), line: shape("path", { class: "line" }), head: shape("path", { class: "head" }) };
-    return { ...parts, node: shape("g", { class: kind, "data-arrow": name }, parts.title, parts.line, parts.head) };
+  const { node, title, line, head: tip, text } = vectorNode(`${kind} ${name}`, () => {
+    // Velocities and accelerations are at points, which have names.
+    const parts = { title: shape("title"), line: shape("path", { class: "line" }), head: shape("path", { class: "head" }), text: kind === "force" ? shape("text", {}, name) : "" };
+    return { ...parts, node: shape("g", { class: kind, "data-arrow": name }, parts.title, parts.line, parts.head, parts.text) };
   });
   write(title, `${kind} of ${name}: ${digits(rounded(Math.hypot(...vector), 4))} ${unit}`);
   set(line, { d: lineThrough([from, to]) });
   set(tip, { d: `${lineThrough([to, corner(1), corner(-1)])}Z` });
+  if (text) placeArrowName(text, to, [u, v], length);
   return node;
+}
+
+// A name beyond the tip of its arrow, within the drawing; none at an arrow without a length.
+function placeArrowName(text, [x, y], [u, v], length) {
+  const half = (ARROW.letter * text.textContent.length) / 2;
+  const within = (at, least, most) => Math.min(most - least, Math.max(least, at));
+  const place = [within(x + u * (half + ARROW.apart), half, camera.width), within(y + v * ARROW.apart + 4, 14, camera.height)];
+  set(text, { x: pixel(place[0]), y: pixel(place[1]) });
+  text.style.display = length > ARROW.head ? "" : "none";
 }
 
 // The columns of a force, a vector of one of the tables.
@@ -98,15 +112,17 @@ function forceAt(parts, row) {
   return force.includes(null) ? null : force;
 }
 
-// All forces have one scale.
+// All forces have one scale. Near a singular position they are so large that no other one would be seen: these are drawn too short.
 function longestForce() {
   if (!vectors.longest.has("force")) {
-    let longest = 0;
+    const sizes = [];
     for (const { quantity } of picture.forces) {
       const parts = columnsOfForce(quantity);
-      eachRow((row) => (longest = Math.max(longest, Math.hypot(...(forceAt(parts, row) ?? [0])))));
+      eachRow((row) => sizes.push(Math.hypot(...(forceAt(parts, row) ?? [0]))));
     }
-    vectors.longest.set("force", longest);
+    sizes.sort((a, b) => a - b);
+    const [middle, largest] = [sizes[Math.floor(sizes.length / 2)], sizes.at(-1)];
+    vectors.longest.set("force", singularWords() !== null && middle > 0 ? Math.min(largest, MOST_OF_MIDDLE * middle) : largest);
   }
   return vectors.longest.get("force");
 }

@@ -3,6 +3,7 @@
 use crate::fixture::{FourBar, MOTION, PHI, Sweep};
 use crate::four_bar;
 use crate::once::series;
+use crate::packed::page_data;
 use linkage_analysis::summary::Curve;
 use linkage_report::{Report, SummaryRow};
 use linkage_runtime::{AssemblyMode, Group, Operations, Structure, Table};
@@ -269,9 +270,7 @@ fn the_page_has_the_data_and_needs_no_network() {
     ));
     let start = "<script type=\"application/json\" id=\"report\">";
     assert_eq!(page.matches(start).count(), 1);
-    let (_, rest) = page.split_once(start).unwrap();
-    let (data, _) = rest.split_once("</script>").unwrap();
-    let data: Value = serde_json::from_str(data).unwrap();
+    let data = page_data(&page);
     assert_eq!(data, json(&report));
     assert_eq!(data["title"], title);
     for address in [

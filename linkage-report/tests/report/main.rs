@@ -13,6 +13,7 @@ mod many_parts;
 mod mistakes;
 mod moving;
 mod once;
+mod packed;
 mod picture;
 mod plots;
 mod signs;

@@ -3,6 +3,7 @@
 use crate::data::{json, numbers};
 use crate::fixture::{PHI, Sweep, column, value};
 use crate::once::series;
+use crate::packed::page_data;
 use linkage_report::Report;
 use linkage_runtime::{Heading, Meaning};
 use serde_json::Value;
@@ -51,9 +52,7 @@ fn spiky(count: usize) -> (Vec<f64>, Report) {
 }
 
 fn page(report: &Report) -> Value {
-    let page = report.html().unwrap();
-    let (_, rest) = page.split_once("id=\"report\">").unwrap();
-    serde_json::from_str(rest.split_once("</script>").unwrap().0).unwrap()
+    page_data(&report.html().unwrap())
 }
 
 #[test]

@@ -15,6 +15,6 @@ mod sight;
 pub use chromium::{find, required};
 pub use gallery::{Entry, entries, folder, some};
 pub use input::{Button, Key};
-pub use page::Page;
+pub use page::{Page, REPORT};
 pub use pdf::printed_words;
 pub use sight::{DESKTOP, PHONE, SMALL_PHONE, Screen};

@@ -9,6 +9,14 @@ use std::time::{Duration, Instant};
 use crate::chromium::{self, Chromium};
 use crate::devtools::DevTools;
 
+/// The data of a report's page, with lists in the place of packed numbers.
+pub const REPORT: &str = "JSON.parse(document.getElementById('report').textContent, (_, value) => { \
+     const packed = value?.f64; \
+     if (Array.isArray(packed)) return Array(packed[1]).fill(packed[0]); \
+     if (typeof packed !== 'string') return value; \
+     const bytes = Uint8Array.from(atob(packed), (letter) => letter.charCodeAt(0)); \
+     return Array.from(new Float64Array(bytes.buffer), (x) => (x === x ? x : null)); })";
+
 /// A page that is shown.
 pub struct Page {
     pub(crate) tools: DevTools,

@@ -87,7 +87,7 @@ mechanism! {
         param pivot = (-200mm, -130mm);
         param knee = 200mm;
         input phi = 30deg in 0deg..360deg;
-        unknown theta = 20deg;
+        unknown theta = -12deg;
         unknown psi = 260deg;
         let top = (0mm, 0mm);
         let joint = top + polar(rocker, psi);

@@ -87,7 +87,7 @@ mechanism! {
         param leg = 50mm;
         input phi = 60deg in 20deg..100deg at omega;
         unknown tilt = 20deg;
-        unknown leg_a = 20deg;
+        unknown leg_a = -37deg;
         unknown leg_b = 100deg;
         unknown leg_c = 290deg;
         let p = polar(crank, phi);

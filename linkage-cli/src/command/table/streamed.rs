@@ -9,6 +9,7 @@ use linkage_report::CsvStyle;
 use serde_json::{Value, json};
 
 use super::super::running_input::Along;
+use super::super::unbounded::Unbounded;
 
 /// Numbers of a table in JSON that are held, where column follows column: those of 361 positions
 /// always.
@@ -32,6 +33,8 @@ pub(super) struct Streamed<'a> {
     columns: Vec<Column<'a>>,
     /// At how many positions a number is not finite, of those that have been written.
     pub(super) missing: usize,
+    /// The forces of the positions that have been written.
+    unbounded: Unbounded,
 }
 
 impl<'a> Streamed<'a> {
@@ -60,7 +63,22 @@ impl<'a> Streamed<'a> {
             along,
             columns: columns.collect(),
             missing: 0,
+            unbounded: Unbounded::new(mechanism, function),
         }
+    }
+
+    /// Returns the messages about singular positions among those that have been written.
+    pub(super) fn singular_positions(self) -> Vec<String> {
+        let Some((index, input)) = self.along.running else {
+            return Vec::new();
+        };
+        let results = |x: f64| {
+            let mut arguments = self.along.given.clone();
+            arguments[index] = x;
+            self.assembly.call(self.function, &arguments)
+        };
+        self.unbounded
+            .messages(self.mechanism, self.function, input, results)
     }
 
     /// Hands over the numbers of each position, in the order of the columns.
@@ -73,6 +91,7 @@ impl<'a> Streamed<'a> {
         let mut arguments = given.clone();
         let mut row = Vec::with_capacity(self.columns.len());
         self.missing = 0;
+        self.unbounded = Unbounded::new(self.mechanism, self.function);
         for x in positions.iter() {
             row.clear();
             if let Some((index, _)) = running {
@@ -81,6 +100,7 @@ impl<'a> Streamed<'a> {
             }
             let results = self.assembly.call(self.function, &arguments);
             self.missing += usize::from(!results.iter().all(|x| x.is_finite()));
+            self.unbounded.add(x, &results);
             row.extend(results);
             for (x, column) in row.iter_mut().zip(&self.columns) {
                 *x = column.shown(*x);

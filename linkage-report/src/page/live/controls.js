@@ -87,7 +87,12 @@ function controlRow(name, unit, [low, high], put) {
   field.addEventListener("change", () => takeTyped(row));
   field.addEventListener("keydown", (event) => onFieldKey(event, row));
   controls.rows.set(name, row);
-  return element("label", { class: "dimension" }, element("span", { class: "name" }, name), slider, field, element("small", {}, plotUnit(unit), ...[runButton(row)].filter((own) => own !== null)));
+  return element("label", { class: "dimension" }, element("span", { class: "name" }, ...breakable(name)), slider, field, element("small", {}, plotUnit(unit), ...[runButton(row)].filter((own) => own !== null)));
+}
+
+// A long name goes on after a point or a low line.
+function breakable(name) {
+  return name.split(/(?<=[._])/).flatMap((part, k) => (k === 0 ? [part] : [element("wbr"), part]));
 }
 
 // A slider tells as many digits as its pixels do.

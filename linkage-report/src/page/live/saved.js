@@ -1,7 +1,7 @@
 // The saved data of a changed mechanism, in files that name the changes.
 
 function startSaving() {
-  saved.json = () => (isChanged() ? JSON.stringify(dataNow()) : source);
+  saved.json = () => (isChanged() ? JSON.stringify(dataNow()) : sourceInDecimals());
   saved.name = (name) => (isChanged() && !staysAsItWas(name) ? name.replace(/(\.[^.]+)$/, "_changed$1") : name);
 }
 

@@ -1,6 +1,6 @@
 //! What holds for every page.
 
-use linkage_browser::{DESKTOP, Key, PHONE, Page, SMALL_PHONE};
+use linkage_browser::{DESKTOP, Key, PHONE, Page, REPORT, SMALL_PHONE};
 use serde_json::Value;
 
 /// Everything that does not depend on what the page shows.
@@ -22,8 +22,7 @@ pub(crate) fn all(page: &mut Page, name: &str) {
 
 /// The data of the page, with the numbers of the columns that they refer to.
 pub(crate) fn report(page: &mut Page) -> Value {
-    let text = page.words("document.querySelector('#report').textContent");
-    let mut report: Value = serde_json::from_str(&text).expect("the page's data are JSON");
+    let mut report = page.value(REPORT);
     let tables = report["tables"].clone();
     resolve(&mut report, &tables);
     report

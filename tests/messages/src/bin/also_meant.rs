@@ -43,7 +43,7 @@ mechanism! {
         param crank = 20mm;
         param delta = 10deg;
         input phi = 400deg in -720deg..3 * 360deg;
-        unknown theta = 20deg;
+        unknown theta = -26deg;
         unknown s = 80mm;
         let a = rotate((crank, 0), phi + delta);
         let b = rotate((60mm, 5mm), theta + delta);

@@ -10,7 +10,7 @@ mechanism! {
         unknown theta = 20deg;
         unknown psi = 60deg;
         loop polar(40mm, phi) + polar(120mm, theta) = (100mm, 0) + polar(80mm, psi);
-        unknown a1 = 20deg;
+        unknown a1 = -24deg;
         unknown a2 = 100deg;
         unknown a3 = 290deg;
         unknown a4 = 10deg;

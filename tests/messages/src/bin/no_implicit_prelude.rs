@@ -42,7 +42,7 @@
         param leg = 50mm;
         input phi = 60deg in 20deg..100deg;
         unknown tilt = 20deg;
-        unknown leg_a = 20deg;
+        unknown leg_a = -37deg;
         unknown leg_b = 100deg;
         unknown leg_c = 290deg;
         let a = polar(40mm, phi) + polar(leg, leg_a);
