@@ -83,7 +83,7 @@ fn inches_and_pounds_are_units() {
         gravity = (0, -9.80665m/s^2); let tip = polar(28inch, door); \
         body lid = pin hinge on frame at (0, 0), turns door, mass 56lb at polar(16inch, door); \
         force (0, strut) on lid at tip; } \
-        impl Lid { pub fn hold(door, strut) -> Hold { t: torque(door) } pub fn tip(door, omega) -> Tip { v: velocity(tip) } }";
+        impl Lid { pub fn hold(door, strut) -> Hold { t: torque(door) } pub fn tip(door, omega) -> Tip { v: omega * velocity(tip) } }";
     fs::write(folder.join("lid.mech"), text).expect("written");
     let values = |function: &str, at: &[&str]| {
         let all = [
