@@ -14,7 +14,7 @@ use crate::observer::PhaseObserver;
 use crate::solve::{self, Formulation};
 use crate::structure::Structure;
 
-use super::check::{Closed, check_ranges};
+use super::check::{ClosedMechanism, check_ranges};
 use super::closed_part::AssembledPart;
 use super::parts::inner_parts;
 use super::redundant::check_redundant;
@@ -64,7 +64,7 @@ impl<'m> Assembled<'m> {
             nominal,
             ..
         } = self;
-        let closed = Closed {
+        let closed = ClosedMechanism {
             formulation,
             nominal,
             reference,

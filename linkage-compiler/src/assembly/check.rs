@@ -16,7 +16,7 @@ use crate::machine::Reference;
 use crate::message_format::MessageFormat;
 
 /// A mechanism that closes at the reference inputs.
-pub(super) struct Closed<'a, 'm> {
+pub(super) struct ClosedMechanism<'a, 'm> {
     pub(super) formulation: &'a Formulation<'m>,
     /// The dimensions, with the ranges over which coupled groups are prepared.
     pub(super) nominal: &'a Nominal,
@@ -29,11 +29,11 @@ pub(super) struct Closed<'a, 'm> {
 /// cannot be followed. `asked` are the angles whose values functions use.
 pub(super) fn check_ranges<'m>(
     algebra: &mut Algebra<'m>,
-    closed: Closed<'_, 'm>,
+    closed: ClosedMechanism<'_, 'm>,
     asked: &[ContinuousAngle],
     reporter: &mut Reporter,
 ) {
-    let Closed {
+    let ClosedMechanism {
         formulation,
         nominal,
         reference,

@@ -9,7 +9,7 @@ use crate::solve::{Prepared, Solved};
 
 use super::assembler::Assembly;
 use super::estimates::Position;
-use super::refused_range::Survey;
+use super::refused_range::RangeSurvey;
 use super::{continuation, estimates, unfollowed};
 
 /// A part of a range ends so far before a turning point, as a share of the range: a table reaches
@@ -121,7 +121,7 @@ fn narrowed<'m>(
     prepared: &Prepared<'m>,
     state: &[f64],
 ) -> Vec<Nominal> {
-    let Some(survey) = Survey::new(assembly.nominal, &prepared.inputs) else {
+    let Some(survey) = RangeSurvey::new(assembly.nominal, &prepared.inputs) else {
         return Vec::new();
     };
     let (mut numbers, _) = assembly.coupled(prepared.number);

@@ -70,14 +70,14 @@ fn ranges(mechanism: &Mechanism, nominal: &Nominal) -> String {
 }
 
 /// Nodes all over the ranges of some inputs, with a line through the reference along each.
-pub(super) struct Survey<'a> {
+pub(super) struct RangeSurvey<'a> {
     inputs: &'a [usize],
     pub(super) lines: Vec<Vec<f64>>,
     /// The node of the reference.
     pub(super) start: Vec<usize>,
 }
 
-impl<'a> Survey<'a> {
+impl<'a> RangeSurvey<'a> {
     /// The survey of the declared ranges of these inputs. `None` if none has a range or too many
     /// have one.
     pub(super) fn new(nominal: &Nominal, inputs: &'a [usize]) -> Option<Self> {

@@ -4,7 +4,7 @@ use linkage_core::numeric::continuation::{Correction, dead_point};
 use linkage_core::range_check::{DEAD, ROUNDING};
 
 use super::ranges::{Broken, Grid, Ranges};
-use super::refused_range::Survey;
+use super::refused_range::RangeSurvey;
 use crate::algebra::Nominal;
 use crate::ir::PreparedTable;
 use crate::machine::Numbers;
@@ -44,7 +44,7 @@ impl Ranges<'_, '_> {
         declared: &[usize],
     ) -> Option<Nominal> {
         let nominal = self.nominal;
-        let survey = Survey::new(nominal, declared)?;
+        let survey = RangeSurvey::new(nominal, declared)?;
         let nodes = survey.nodes(nominal).into_iter();
         let slacks: Vec<f64> = nodes.map(|inputs| self.slack(&inputs).0).collect();
         LEAST.iter().find_map(|&least| {

@@ -28,7 +28,7 @@ pub fn reached(
 ) -> Vec<f64> {
     let nodes: usize = lines.iter().map(Vec::len).product();
     let mut shares = vec![0.0; nodes];
-    let place = |node: &[usize]| -> Vec<f64> {
+    let position = |node: &[usize]| -> Vec<f64> {
         let pairs = lines.iter().zip(node);
         pairs.map(|(places, &k)| places[k]).collect()
     };
@@ -36,7 +36,7 @@ pub fn reached(
         let pairs = lines.iter().zip(node);
         pairs.fold(0, |number, (places, &k)| number * places.len() + k)
     };
-    let at = place(start);
+    let at = position(start);
     let mut state = state.to_vec();
     let Some(mut follower) = Follower::new(correction, &at, &mut state, CORRECTIONS) else {
         return shares;
@@ -48,7 +48,7 @@ pub fn reached(
     let mut queue: VecDeque<(Vec<usize>, Vec<f64>, f64)> = VecDeque::new();
     queue.push_back((start.to_vec(), state, first));
     while let Some((node, state, determinant)) = queue.pop_front() {
-        let from = place(&node);
+        let from = position(&node);
         for axis in 0..node.len() {
             let below = node[axis].checked_sub(1);
             let above = Some(node[axis] + 1).filter(|&k| k < lines[axis].len());
@@ -60,7 +60,7 @@ pub fn reached(
                     continue;
                 }
                 let mut moved = state.clone();
-                let to = place(&next);
+                let to = position(&next);
                 let determinants = [determinant, first];
                 let end = follow(&mut follower, &from, &to, &mut moved, determinants);
                 if let PathEnd::Reached(there) = end {
