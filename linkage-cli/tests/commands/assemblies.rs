@@ -2,7 +2,7 @@
 
 use std::fs;
 
-use crate::{folder, printed, refused};
+use crate::{folder, linkage, printed, refused};
 
 /// A wheel carrier on five rods: more unknowns than a listing takes.
 const AXLE: &str = "
@@ -93,7 +93,15 @@ fn assemblies_are_listed_where_the_range_is_refused() {
         3,
         "{said}"
     );
-    let all = printed(&folder, &["assemblies", "refused.mech"]);
+    let answered = |command: &str| {
+        let output = linkage(&folder, &[command, "refused.mech"]);
+        let said = String::from_utf8_lossy(&output.stderr);
+        assert!(output.status.success(), "{said}");
+        let count = said.matches("warning: the mechanism comes apart").count();
+        assert_eq!(count, 3, "{said}");
+        String::from_utf8(output.stdout).expect("text")
+    };
+    let all = answered("assemblies");
     for start in [
         "Rocking at phi = 50 deg: 2 assemblies\n",
         "Plate at left = 260 mm, right = 250 mm: ",
@@ -101,7 +109,7 @@ fn assemblies_are_listed_where_the_range_is_refused() {
     ] {
         assert!(all.contains(start), "{all}");
     }
-    let circuits = printed(&folder, &["circuits", "refused.mech"]);
+    let circuits = answered("circuits");
     assert!(
         circuits.contains("Rocking\n") && circuits.contains("Triad\n"),
         "{circuits}"
