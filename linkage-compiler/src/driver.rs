@@ -20,10 +20,31 @@ pub struct Checked {
     pub name: Option<String>,
     /// Its programs, if there is no mistake.
     pub unit: Option<CompiledMechanism>,
+    /// Its programs, if its declared ranges are refused and there is no other mistake: its
+    /// assemblies can be listed, and functions have values near the reference.
+    pub out_of_range: Option<CompiledMechanism>,
     /// The mistakes, in the order in which phases found them.
     pub messages: Vec<Message>,
     /// Messages about text that is valid, but hardly meant, unless the mechanism allows it.
     pub warnings: Vec<Message>,
+}
+
+impl Checked {
+    /// Returns the same mechanism with the refusal of its declared ranges as a warning, if there is
+    /// no other mistake.
+    #[must_use]
+    pub fn in_any_range(self) -> Self {
+        match self.out_of_range {
+            Some(unit) => Self {
+                unit: Some(unit),
+                out_of_range: None,
+                messages: Vec::new(),
+                warnings: self.messages,
+                ..self
+            },
+            None => self,
+        }
+    }
 }
 
 /// All mechanisms of a call after the phases before emission, as far as mistakes permit.
@@ -44,6 +65,8 @@ pub struct Analysed {
     pub model: Option<Rc<Model>>,
     /// Its programs, as far as there is no mistake.
     pub unit: Option<CompiledMechanism>,
+    /// True if there is no mistake but that of declared ranges.
+    closes: bool,
     /// Its messages.
     pub diagnostics: Diagnostics,
 }
@@ -53,6 +76,7 @@ pub struct Analysed {
 struct Progress {
     model: Option<Rc<Model>>,
     unit: Option<CompiledMechanism>,
+    closes: bool,
     /// The assembly of the mechanism without the mechanisms around it.
     closed: Option<Rc<AssembledPart>>,
     diagnostics: Diagnostics,
@@ -92,9 +116,11 @@ impl Driver {
                 } else {
                     &mut ()
                 };
-                let (unit, closed) = pipeline::run(model, &parts, &mut diagnostics, observer);
-                progress[index].unit = Some(unit);
-                progress[index].closed = closed.filter(|_| diagnostics.is_empty()).map(Rc::new);
+                let results = pipeline::run(model, &parts, &mut diagnostics, observer);
+                let part = results.part.filter(|_| diagnostics.is_empty());
+                progress[index].unit = Some(results.compiled);
+                progress[index].closes = results.closes;
+                progress[index].closed = part.map(Rc::new);
             }
             progress[index].model = model;
             progress[index].diagnostics = diagnostics;
@@ -104,6 +130,7 @@ impl Driver {
             definition,
             model: progress.model,
             unit: progress.unit,
+            closes: progress.closes,
             diagnostics: progress.diagnostics,
         });
         Self {
@@ -120,6 +147,7 @@ impl Driver {
             return vec![Checked {
                 name: None,
                 unit: None,
+                out_of_range: None,
                 messages: syntax,
                 warnings: Vec::new(),
             }];
@@ -128,6 +156,7 @@ impl Driver {
         for mechanism in self.mechanisms {
             let mut checked = mechanism.checked();
             checked.unit = checked.unit.filter(|_| sound);
+            checked.out_of_range = checked.out_of_range.filter(|_| sound);
             checked.messages.splice(0..0, syntax.drain(..));
             results.push(checked);
         }
@@ -185,9 +214,14 @@ impl Analysed {
         if attributes.any(Attribute::allows_warnings) {
             warnings.clear();
         }
+        let (unit, out_of_range) = match messages.is_empty() {
+            true => (self.unit, None),
+            false => (None, self.unit.filter(|_| self.closes)),
+        };
         Checked {
             name: Some(self.definition.title()),
-            unit: self.unit.filter(|_| messages.is_empty()),
+            unit,
+            out_of_range,
             messages,
             warnings,
         }

@@ -14,16 +14,26 @@ use crate::observer::PhaseObserver;
 use crate::structure::Scope;
 use crate::{lower, outputs, structure};
 
-/// Compiles a resolved mechanism, and returns its assembly for mechanisms that have it as a part.
+/// A mechanism after the phases.
+#[derive(Default)]
+pub(crate) struct PhaseResults {
+    /// Its programs, which are not to be used after a mistake.
+    pub(crate) compiled: CompiledMechanism,
+    /// Its assembly for mechanisms that have it as a part.
+    pub(crate) part: Option<AssembledPart>,
+    /// True if there is no mistake but that of declared ranges.
+    pub(crate) closes: bool,
+}
+
+/// Compiles a resolved mechanism.
 ///
-/// `parts` are the assemblies of its own parts. After a mistake the rest is not compiled, and the
-/// result is not to be used.
+/// `parts` are the assemblies of its own parts. After a mistake the rest is not compiled.
 pub(crate) fn run(
     model: &Model,
     parts: &[Rc<AssembledPart>],
     diagnostics: &mut Diagnostics,
     observer: &mut dyn PhaseObserver,
-) -> (CompiledMechanism, Option<AssembledPart>) {
+) -> PhaseResults {
     let mut reporter = Reporter::new(&model.origins, diagnostics);
     let before = reporter.errors();
     let graph = Graph::new();
@@ -43,6 +53,13 @@ pub(crate) fn run(
     let at = assembled.at_reference();
     let functions = outputs::expressions(algebra, &assembled.formulation, at, &mut reporter);
     let compiled = lower::mechanism(algebra, &assembled.formulation, at, functions, observer);
-    assembled.check(algebra, &compiled.angles, &mut reporter);
-    (compiled, assembled.into_part(algebra))
+    let sound = reporter.errors() == 0 && assembled.reference.closed;
+    assembled.check_ranges(algebra, &compiled.angles, &mut reporter);
+    let of_ranges = reporter.errors();
+    assembled.check_redundant(algebra, &mut reporter);
+    PhaseResults {
+        compiled,
+        closes: sound && reporter.errors() == of_ranges,
+        part: assembled.into_part(algebra),
+    }
 }

@@ -15,6 +15,8 @@ pub mod double_double;
 pub mod golden_section;
 #[cfg(feature = "alloc")]
 pub mod inverse;
+#[cfg(feature = "alloc")]
+pub mod largest_box;
 #[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]
 pub mod least_squares;
 #[cfg(feature = "alloc")]

@@ -11,6 +11,7 @@
 //! | to | call |
 //! |---|---|
 //! | compile a text | [`Mechanism::compile`], [`compile`] for several mechanisms |
+//! | compile a text whose ranges are refused | [`compile_in_any_range`], for assemblies and circuits |
 //! | close the loops | [`Mechanism::assemble`], [`Mechanism::assemblies`] |
 //! | keep an assembly of other dimensions | [`Mechanism::assemble_from`] |
 //! | search the range of the input | [`Mechanism::circuits`], [`Assembly::check_range`] |
@@ -52,7 +53,7 @@ pub use linkage_runtime::{
     AssemblyError, AssemblyMode, Branch, BranchEnd, Circuits, Estimate, Heading, Input, Parameter,
     RangeReport, Structure, Table,
 };
-pub use mechanism::{Mechanism, compile};
+pub use mechanism::{Mechanism, compile, compile_in_any_range};
 pub use messages::{rendered, rendered_warning};
 pub use normal::normal_form;
 pub use results::Results;

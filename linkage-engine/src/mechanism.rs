@@ -42,11 +42,43 @@ pub struct Mechanism {
 ///
 /// All mistakes of the text, each with the source under it.
 pub fn compile(name: &str, text: &str) -> Result<Vec<Mechanism>, CompileError> {
+    compiled(name, text, |checked| checked)
+}
+
+/// Compiles all mechanisms of a text as [`compile`] does, even if declared ranges are refused: the
+/// refusal is in [`warnings`](Mechanism::warnings). Assemblies and circuits need no range; functions
+/// have values near the reference, and NaN where the mechanism comes apart.
+///
+/// # Errors
+///
+/// All other mistakes of the text, each with the source under it.
+///
+/// ```
+/// use linkage_engine::compile_in_any_range;
+///
+/// let text = "pub struct Rocking { unit mm; input phi = 50deg in 0deg..360deg;
+///     unknown theta = 10deg; unknown psi = 60deg;
+///     loop polar(90mm, phi) + polar(30mm, theta) = (100mm, 0) + polar(90mm, psi); }
+///     impl Rocking { pub fn f(phi) -> F { psi } }";
+/// let all = compile_in_any_range("rocking.mech", text)?;
+/// assert!(all[0].warnings().contains("comes apart in this range"));
+/// assert_eq!(all[0].assemblies(&all[0].dimensions(), &all[0].reference()).unwrap().len(), 2);
+/// # Ok::<(), linkage_engine::CompileError>(())
+/// ```
+pub fn compile_in_any_range(name: &str, text: &str) -> Result<Vec<Mechanism>, CompileError> {
+    compiled(name, text, Checked::in_any_range)
+}
+
+fn compiled(
+    name: &str,
+    text: &str,
+    accepted: impl Fn(Checked) -> Checked,
+) -> Result<Vec<Mechanism>, CompileError> {
     let source = Source::new(name, text)?;
     let mut all = Vec::new();
     let mut mistakes = String::new();
     for call in source.calls() {
-        for checked in check_all(call.tokens.clone()) {
+        for checked in check_all(call.tokens.clone()).into_iter().map(&accepted) {
             let messages = rendered(&source, call, &checked, false);
             match Mechanism::new(&checked) {
                 Some(mechanism) => all.push(Mechanism {

@@ -88,6 +88,7 @@ fn emitted(
         model,
         unit,
         diagnostics,
+        ..
     } = mechanism;
     let errors = diagnostics.to_tokens();
     match unit {

@@ -38,8 +38,12 @@ macro_rules! table {
             pub const ALL: &[Self] = &[$(Self::$Variant),*];
 
             /// Its result on numbers.
+            // Inlined: a call of the function by its address takes longer than most operations.
+            #[inline]
             pub fn apply(self, operands: [f64; $arity]) -> f64 {
-                (self.row().value)(operands)
+                match self {
+                    $(Self::$Variant => (const { $row }.value)(operands),)*
+                }
             }
 
             /// Runs a task with the operation as a constant: the code of the task stands once for

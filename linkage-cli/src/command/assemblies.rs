@@ -41,7 +41,7 @@ pub(super) struct AtInputs {
 /// Lists the assemblies of each mechanism.
 pub(super) fn run(options: &AtInputs) -> Result<(), Failure> {
     let AtInputs { options, at } = options;
-    let all = options.chosen.all()?;
+    let all = options.chosen.all_in_any_range()?;
     options.dimensions.known_to_any(&all)?;
     refuse_unknown_inputs(&all, at)?;
     for mechanism in all {
@@ -155,7 +155,7 @@ pub(super) fn not_listed(mechanism: &Mechanism) -> Option<String> {
 pub(super) fn circuits(options: &Options) -> Result<(), Failure> {
     let mut without = Vec::new();
     let mut some = false;
-    let all = options.chosen.all()?;
+    let all = options.chosen.all_in_any_range()?;
     options.dimensions.known_to_any(&all)?;
     for mechanism in all {
         let dimensions = options.dimensions.known_to(&mechanism);

@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use clap::Args;
-use linkage_compiler::{check_all, shortened};
+use linkage_compiler::{Checked, check_all, shortened};
 use linkage_engine::{Mechanism, Source, rendered};
 
 use super::terminal::is_coloured;
@@ -32,9 +32,18 @@ impl Chosen {
         self.all_of(&Source::read(&self.file)?)
     }
 
+    /// The same, whose declared ranges may be refused: a refusal is printed as a warning.
+    pub(super) fn all_in_any_range(&self) -> Result<Vec<Mechanism>, Failure> {
+        let source = Source::read(&self.file)?;
+        self.chosen_of(accepted(&source, Checked::in_any_range)?)
+    }
+
     /// The mechanisms of a text of the file that are meant.
     pub(super) fn all_of(&self, source: &Source) -> Result<Vec<Mechanism>, Failure> {
-        let mut all = checked(source)?;
+        self.chosen_of(checked(source)?)
+    }
+
+    fn chosen_of(&self, mut all: Vec<Mechanism>) -> Result<Vec<Mechanism>, Failure> {
         let Some(name) = &self.mechanism else {
             return Ok(all);
         };
@@ -107,11 +116,19 @@ pub(super) fn mistakes(source: &Source) -> String {
 
 /// All mechanisms of a text; messages about them are printed.
 pub(super) fn checked(source: &Source) -> Result<Vec<Mechanism>, Failure> {
+    accepted(source, |checked| checked)
+}
+
+/// The same with other results of the checks.
+fn accepted(
+    source: &Source,
+    result: impl Fn(Checked) -> Checked,
+) -> Result<Vec<Mechanism>, Failure> {
     let mut all = Vec::new();
     let mut sound = true;
     for found in source.calls() {
         eprint!("{}", look_alikes(source, found, is_coloured()));
-        for checked in check_all(found.tokens.clone()) {
+        for checked in check_all(found.tokens.clone()).into_iter().map(&result) {
             eprint!("{}", rendered(source, found, &checked, is_coloured()));
             match Mechanism::new(&checked) {
                 Some(mechanism) => all.push(mechanism),

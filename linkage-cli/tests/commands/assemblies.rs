@@ -2,7 +2,7 @@
 
 use std::fs;
 
-use crate::{folder, printed};
+use crate::{folder, linkage, printed, refused};
 
 /// A wheel carrier on five rods: more unknowns than a listing takes.
 const AXLE: &str = "
@@ -43,4 +43,100 @@ fn what_was_found_from_estimates_is_said_to_be() {
     // Five rods and a height are six distances.
     let many = "followed from the estimates; up to 40 complex solutions (a body on six distances) not listed; ";
     assert!(known.contains(many), "{known}");
+}
+
+/// A crank that cannot turn all the way, a plate on two cylinders, and the same plate on one, whose
+/// strokes are too long.
+const REFUSED: &str = "
+mechanism! {
+    pub struct Rocking {
+        unit mm;
+        input phi = 50deg in 0deg..360deg;
+        unknown theta = 10deg;
+        unknown psi = 60deg;
+        loop polar(90mm, phi) + polar(30mm, theta) = (100mm, 0) + polar(90mm, psi);
+    }
+    impl Rocking { pub fn f(phi) -> F { psi } }
+    pub struct Plate {
+        unit mm;
+        input left = 260mm in 200mm..320mm;
+        input right = 250mm in 200mm..300mm;
+        unknown p = (20mm, 260mm);
+        unknown t = 5deg;
+        let q = p + polar(250mm, t);
+        let r = p + polar(430mm, t - 12deg);
+        loop distance(p, (0mm, 0mm)) = left;
+        loop distance(q, (300mm, -20mm)) = right;
+        loop distance(r, (520mm, 60mm)) = 150mm;
+    }
+    impl Plate { pub fn f(left, right) -> F { p } }
+    pub struct Triad {
+        unit mm;
+        input stroke = 260mm in 20mm..600mm;
+        unknown p = (20mm, 260mm);
+        unknown t = 5deg;
+        loop distance(p, (0mm, 0mm)) = stroke;
+        loop distance(p + polar(250mm, t), (300mm, -20mm)) = 250mm;
+        loop distance(p + polar(430mm, t - 12deg), (520mm, 60mm)) = 150mm;
+    }
+    impl Triad { pub fn f(stroke) -> F { p } }
+}
+";
+
+#[test]
+fn assemblies_are_listed_where_the_range_is_refused() {
+    let folder = folder("refused_ranges");
+    fs::write(folder.join("refused.mech"), REFUSED).expect("it is written");
+    let said = refused(&folder, &["check", "refused.mech"], 1);
+    assert_eq!(
+        said.matches("error: the mechanism comes apart").count(),
+        3,
+        "{said}"
+    );
+    let answered = |command: &str| {
+        let output = linkage(&folder, &[command, "refused.mech"]);
+        let said = String::from_utf8_lossy(&output.stderr);
+        assert!(output.status.success(), "{said}");
+        let count = said.matches("warning: the mechanism comes apart").count();
+        assert_eq!(count, 3, "{said}");
+        String::from_utf8(output.stdout).expect("text")
+    };
+    let all = answered("assemblies");
+    for start in [
+        "Rocking at phi = 50 deg: 2 assemblies\n",
+        "Plate at left = 260 mm, right = 250 mm: ",
+        "Triad at stroke = 260 mm: ",
+    ] {
+        assert!(all.contains(start), "{all}");
+    }
+    let circuits = answered("circuits");
+    assert!(
+        circuits.contains("Rocking\n") && circuits.contains("Triad\n"),
+        "{circuits}"
+    );
+    // The range is the declared one: the crank leaves and enters twice.
+    assert!(circuits.lines().count() > 8, "{circuits}");
+}
+
+/// The box of a refusal can be pasted.
+#[test]
+fn the_box_that_a_refusal_names_is_accepted() {
+    let folder = folder("largest_box");
+    let start = REFUSED.find("pub struct Plate").expect("a plate");
+    let end = REFUSED.find("pub struct Triad").expect("a triad");
+    let plate = &REFUSED[start..end];
+    fs::write(folder.join("plate.mech"), plate).expect("it is written");
+    let said = refused(&folder, &["check", "plate.mech"], 1);
+    let (_, named) = said.split_once("help: write ").expect("a help");
+    let boxed: Vec<&str> = named.split('`').skip(1).step_by(2).take(4).collect();
+    let [left, of_left, right, of_right] = boxed[..] else {
+        panic!("{said}");
+    };
+    assert_eq!([of_left, of_right], ["left", "right"]);
+    let narrower = plate
+        .replace("in 200mm..320mm", left)
+        .replace("in 200mm..300mm", right);
+    fs::write(folder.join("narrower.mech"), narrower).expect("it is written");
+    let known = printed(&folder, &["check", "narrower.mech"]);
+    assert!(known.contains("Plate: mobility 2"), "{known}");
 }

@@ -75,6 +75,46 @@ fn tolerances_are_set() {
     assert!(said.contains("this is an angle"), "{said}");
 }
 
+/// A lid of 56 lb whose weight has an arm of 16 inches, and a strut of 32 lb that holds it at 28.
+#[test]
+fn inches_and_pounds_are_units() {
+    let folder = folder("pounds");
+    let text = "pub struct Lid { unit inch; argument strut = 32lbf; input door = 0deg in 0deg..80deg at omega; \
+        gravity = (0, -9.80665m/s^2); let tip = polar(28inch, door); \
+        body lid = pin hinge on frame at (0, 0), turns door, mass 56lb at polar(16inch, door); \
+        force (0, strut) on lid at tip; } \
+        impl Lid { pub fn hold(door, strut) -> Hold { t: torque(door) } pub fn tip(door, omega) -> Tip { v: omega * velocity(tip) } }";
+    fs::write(folder.join("lid.mech"), text).expect("written");
+    let values = |function: &str, at: &[&str]| {
+        let all = [
+            &[
+                "table", "lid.mech", function, "--from", "0deg", "--to", "1deg", "--steps", "2",
+            ],
+            at,
+        ]
+        .concat();
+        let text = printed(&folder, &all);
+        let cells = text.lines().nth(1).expect("a row").split(',');
+        let numbers = cells.map(|cell| cell.parse().expect("a number"));
+        (text.clone(), numbers.collect::<Vec<f64>>())
+    };
+    let (text, row) = values("hold", &[]);
+    assert_eq!(text.lines().next(), Some("door [rad],t [N*inch]"));
+    assert!(row[1].abs() < 1e-9, "{text}");
+    // 16 lbf less with an arm of 28 inches.
+    let (text, row) = values("hold", &["--at", "strut=16lbf"]);
+    assert!(
+        (row[1] - 448.0 * 4.448_221_615_260_5).abs() < 1e-9,
+        "{text}"
+    );
+    // 33 feet and 4 inches in a second.
+    let (text, row) = values("tip", &["--at", "omega=30rpm"]);
+    assert!(
+        (row[2] - 28.0 * std::f64::consts::PI).abs() < 1e-9,
+        "{text}"
+    );
+}
+
 #[test]
 fn assemblies_and_circuits_number_alike() {
     let folder = folder("alike_numbers");

@@ -25,6 +25,7 @@ fn load(kind: &str, given: Given, page: &mut Page) -> Mechanism {
     let checked = Checked {
         name: Some(name),
         unit: Some(unit),
+        out_of_range: None,
         messages: Vec::new(),
         warnings: Vec::new(),
     };

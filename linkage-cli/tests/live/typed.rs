@@ -82,7 +82,7 @@ fn units_and_sums_are_those_of_set() {
     let message = format!("{:?}", message.first().expect("a message"));
     let (_, units) = message.split_once("units are ").expect("a list");
     let (units, _) = units.split_once(';').expect("an end");
-    assert_eq!(units.split(' ').count(), 30, "{units}");
+    assert_eq!(units.split(' ').count(), 35, "{units}");
     let dimensions = [
         ("crank", "mm"),
         ("size", ""),
@@ -133,6 +133,9 @@ fn units_and_sums_are_those_of_set() {
         ("turned", "rad", "PI / 6 - 0.1rad"),
         ("turned", "rad", "asin(0.25)"),
         ("load", "N", "2kg * 9.80665m/s^2"),
+        ("load", "N", "2psi * (3inch * 1ft)"),
+        ("stiffness", "N/mm", "12lbf/inch"),
+        ("size", "", "30rpm * 1s"),
         ("inertia", "kg*mm^2", "49663.7g*mm^2"),
         ("stiffness", "N/mm", "2.5kN / m"),
     ] {

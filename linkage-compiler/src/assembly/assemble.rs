@@ -14,11 +14,12 @@ use crate::observer::PhaseObserver;
 use crate::solve::{self, Formulation};
 use crate::structure::Structure;
 
-use super::check::check_ranges;
+use super::check::{ClosedMechanism, check_ranges};
 use super::closed_part::AssembledPart;
 use super::parts::inner_parts;
 use super::redundant::check_redundant;
 use super::reference::assemble_reference;
+use super::refused_range::RefusedRange;
 
 /// A mechanism with every unknown expressed, assembled at its reference inputs.
 #[derive(Debug)]
@@ -27,8 +28,10 @@ pub(crate) struct Assembled<'m> {
     pub(crate) reference: Reference,
     /// The dimensions, with an estimate of every unknown.
     nominal: Nominal,
-    /// The dimensions with the estimates as they are declared.
+    /// The dimensions with ranges and estimates as they are declared.
     written: Nominal,
+    /// The refusal of the declared ranges, if `nominal` has narrower ones.
+    refused: Option<RefusedRange>,
 }
 
 impl<'m> Assembled<'m> {
@@ -40,25 +43,41 @@ impl<'m> Assembled<'m> {
         }
     }
 
-    /// Checks the declared ranges, and whether redundant loops follow from the others.
-    ///
-    /// `angles` are the angles whose values functions use.
-    pub(crate) fn check(
+    /// Checks the declared ranges. `angles` are the angles whose values functions use.
+    pub(crate) fn check_ranges(
         &mut self,
         algebra: &mut Algebra<'m>,
         angles: &[ContinuousAngle],
         reporter: &mut Reporter,
     ) {
+        let reporter = &mut reporter.within(Section::Ranges);
+        let refused = self.refused.take();
+        if !self.reference.closed {
+            if let Some(refused) = refused {
+                refused.report(algebra.mechanism, None, reporter);
+            }
+            return;
+        }
         let Self {
             formulation,
             reference,
             nominal,
             ..
         } = self;
-        if reference.closed {
+        let closed = ClosedMechanism {
+            formulation,
+            nominal,
+            reference,
+            refused,
+        };
+        check_ranges(algebra, closed, angles, reporter);
+    }
+
+    /// Checks whether redundant loops follow from the others.
+    pub(crate) fn check_redundant(&self, algebra: &mut Algebra<'m>, reporter: &mut Reporter) {
+        if self.reference.closed {
             let reporter = &mut reporter.within(Section::Ranges);
-            check_ranges(algebra, formulation, nominal, reference, angles, reporter);
-            check_redundant(algebra, reference, nominal, reporter);
+            check_redundant(algebra, &self.reference, &self.nominal, reporter);
         }
     }
 
@@ -90,7 +109,7 @@ pub(crate) fn assemble<'m>(
         let closure = lower::closure_programs(algebra, &formulation, nominal);
         let inner = inner_parts(algebra, nominal, parts);
         let mut complete = nominal.clone();
-        let reference = assemble_reference(
+        let (reference, refused) = assemble_reference(
             algebra,
             &formulation,
             closure,
@@ -104,6 +123,7 @@ pub(crate) fn assemble<'m>(
             reference,
             nominal: complete,
             written: nominal.clone(),
+            refused,
         })
     };
     let (state, messages) = (algebra.state(), reporter.mark());

@@ -8,6 +8,7 @@ use crate::message_format::MessageFormat;
 use crate::solve::Solved;
 
 use super::closed_part::InnerPart;
+use super::refused_range::RefusedRange;
 
 /// A position with a smaller margin is taken for a dead point.
 pub(super) const SINGULAR: f64 = 1e-6;
@@ -26,6 +27,8 @@ pub(super) struct Assembly<'a, 'm> {
     pub(super) found: Vec<(usize, Vec<f64>)>,
     /// True if polynomials over two inputs are not accurate over the ranges of a group.
     pub(super) needs_slopes: bool,
+    /// The first refusal of the declared ranges, of which `nominal` has a part that works.
+    pub(super) refused: Option<RefusedRange>,
     /// Parts of which it is not known yet where they are.
     pub(super) parts: Vec<InnerPart<'m>>,
     /// The values of the closing program so far.
@@ -47,6 +50,12 @@ impl<'m> Assembly<'_, 'm> {
                 self.machine.centres.insert(index, estimate);
             }
         }
+    }
+
+    /// Goes on within a part of the declared ranges that works, and keeps the first refusal.
+    pub(super) fn work_within(&mut self, narrower: Nominal, refused: RefusedRange) {
+        *self.nominal = narrower;
+        self.refused.get_or_insert(refused);
     }
 
     pub(super) fn advance(

@@ -6,37 +6,40 @@ use crate::algebra::{Algebra, Nominal};
 use crate::diagnostic::{OriginId, Reporter};
 use crate::ir::ContinuousAngle;
 use crate::message_format::loop_numbers;
-use crate::model::Input;
+use crate::model::{Input, Mechanism};
 use crate::solve::Formulation;
 
 use super::follow::{Unfollowed, follow_angles};
 use super::ranges::{Broken, Ranges};
+use super::refused_range::RefusedRange;
 use crate::machine::Reference;
 use crate::message_format::MessageFormat;
 
+/// A mechanism that closes at the reference inputs.
+pub(super) struct ClosedMechanism<'a, 'm> {
+    pub(super) formulation: &'a Formulation<'m>,
+    /// The dimensions, with the ranges over which coupled groups are prepared.
+    pub(super) nominal: &'a Nominal,
+    pub(super) reference: &'a mut Reference,
+    /// The refusal of the declared ranges, if those of `nominal` are narrower.
+    pub(super) refused: Option<RefusedRange>,
+}
+
 /// Checks the ranges; reports where the mechanism comes apart, and an angle whose value is used but
 /// cannot be followed. `asked` are the angles whose values functions use.
-pub(crate) fn check_ranges<'m>(
+pub(super) fn check_ranges<'m>(
     algebra: &mut Algebra<'m>,
-    formulation: &Formulation<'m>,
-    nominal: &Nominal,
-    reference: &mut Reference,
+    closed: ClosedMechanism<'_, 'm>,
     asked: &[ContinuousAngle],
     reporter: &mut Reporter,
 ) {
-    let words = MessageFormat::new(algebra.mechanism);
-    let mut sound = true;
-    for (index, input) in algebra.mechanism.inputs.iter().enumerate() {
-        let Some((low, high)) = nominal.ranges[index] else {
-            continue;
-        };
-        let value = nominal.inputs[index];
-        if let Some(message) = wrong_range(&words, input, [low, high], value) {
-            sound = false;
-            reporter.error_between(range_of(input), message);
-        }
-    }
-    if !sound {
+    let ClosedMechanism {
+        formulation,
+        nominal,
+        reference,
+        refused,
+    } = closed;
+    if has_wrong_range(algebra.mechanism, nominal, reporter) {
         return;
     }
     let mut ranges = Ranges {
@@ -48,31 +51,58 @@ pub(crate) fn check_ranges<'m>(
     let machine = &mut ranges.reference.machine;
     let needed = machine.closure.valued.clone();
     if let Some(unfollowed) = follow_angles(algebra, nominal, machine, &needed) {
+        if let Some(refused) = refused {
+            refused.report(algebra.mechanism, None, reporter);
+        }
         return report_unfollowed(algebra, unfollowed, reporter);
     }
     let declared: Vec<usize> = (0..nominal.ranges.len())
         .filter(|&k| nominal.ranges[k].is_some())
         .collect();
-    let apart = match declared[..] {
-        [] => None,
-        [input] => ranges
-            .first_failure(input, algebra.mechanism.inputs[input].dimension)
-            .map(|at| ranges.apart(algebra, at)),
-        _ => ranges
-            .grid_failure(&declared)
-            .map(|broken| ranges.apart_on_grid(algebra, &declared, &broken)),
-    };
-    if let Some(apart) = apart {
-        return reporter.error_between(apart.origins, apart.message);
-    }
-    if declared.is_empty() {
-        warn_of_change_point(algebra, &mut ranges, reporter);
+    match (&declared[..], refused) {
+        ([_], Some(refused)) => return refused.report(algebra.mechanism, None, reporter),
+        ([input], None) => {
+            let dimension = algebra.mechanism.inputs[*input].dimension;
+            if let Some(at) = ranges.first_failure(*input, dimension) {
+                let apart = ranges.apart(algebra, at);
+                return reporter.error_between(apart.origins, apart.message);
+            }
+        }
+        ([], _) => warn_of_change_point(algebra, &mut ranges, reporter),
+        (declared, refused) => {
+            if let Some(broken) = ranges.grid_failure(declared) {
+                let refused =
+                    refused.unwrap_or_else(|| ranges.apart_on_grid(algebra, declared, &broken));
+                let works = ranges.largest_box(algebra.mechanism, declared);
+                return refused.report(algebra.mechanism, works.as_ref(), reporter);
+            }
+            if let Some(refused) = refused {
+                return refused.report(algebra.mechanism, Some(nominal), reporter);
+            }
+        }
     }
     let machine = &mut ranges.reference.machine;
     let asked = machine.outputs_of(algebra, asked);
     if let Some(unfollowed) = follow_angles(algebra, nominal, machine, &asked) {
         report_unfollowed(algebra, unfollowed, reporter);
     }
+}
+
+/// Reports ranges with errors in their ends or in the reference value; true if there are any.
+fn has_wrong_range(mechanism: &Mechanism, nominal: &Nominal, reporter: &mut Reporter) -> bool {
+    let words = MessageFormat::new(mechanism);
+    let mut wrong = false;
+    for (index, input) in mechanism.inputs.iter().enumerate() {
+        let Some((low, high)) = nominal.ranges[index] else {
+            continue;
+        };
+        let value = nominal.inputs[index];
+        if let Some(message) = wrong_range(&words, input, [low, high], value) {
+            wrong = true;
+            reporter.error_between(range_of(input), message);
+        }
+    }
+    wrong
 }
 
 /// Returns the error in the ends of a range or in the reference value, if there is one.

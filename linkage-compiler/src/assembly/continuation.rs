@@ -10,6 +10,7 @@ use crate::solve::{Prepared, Solved};
 
 use super::assembler::Assembly;
 use super::check::range_of;
+use super::refused_range::{OR_LENGTHS, RefusedRange};
 
 /// A range may end at a dead point: the rest of the way does not count.
 const END: f64 = 1e-9;
@@ -92,33 +93,29 @@ fn ends(assembly: &Assembly<'_, '_>, prepared: &Prepared, from: &[f64]) -> Vec<V
         .collect()
 }
 
-/// Checks that a grid covers the positions that it should, and reports it if not: the reference,
-/// and, as far as is known, all positions at which the mechanism is regular.
-pub(super) fn is_served<'m>(
-    assembly: &mut Assembly<'_, 'm>,
+/// Checks that a grid covers the positions that it should: the reference, and, as far as is known,
+/// all positions at which the mechanism is regular. Returns the refusal if it does not.
+pub(super) fn unserved<'m>(
+    assembly: &Assembly<'_, 'm>,
     solved: &Solved<'m>,
     prepared: &Prepared<'m>,
     grid: &Grid,
-) -> bool {
+) -> Option<RefusedRange> {
     if let Some(left_out) = grid.left_out() {
-        leaves_out(assembly, solved, prepared, left_out);
-        return false;
+        return Some(leaves_out(assembly, solved, prepared, left_out));
     }
     let (mut numbers, reference) = assembly.coupled(prepared.number);
     let served = grid.serves(&mut numbers, &reference);
-    if !served {
-        beside_dead_point(assembly, solved, prepared);
-    }
-    served
+    (!served).then(|| beside_dead_point(assembly, solved, prepared))
 }
 
-/// Reports that a grid does not reach the reference: its margin would be that of a dead point,
+/// A grid that does not reach the reference: its margin would be that of a dead point,
 /// although it is at none.
 fn beside_dead_point<'m>(
-    assembly: &mut Assembly<'_, 'm>,
+    assembly: &Assembly<'_, 'm>,
     solved: &Solved<'m>,
     prepared: &Prepared<'m>,
-) {
+) -> RefusedRange {
     let mechanism = assembly.algebra.mechanism;
     let origin = prepared
         .inputs
@@ -126,26 +123,30 @@ fn beside_dead_point<'m>(
         .map_or(mechanism.loops[solved.group.loops[0]].origin, |&input| {
             mechanism.inputs[input].origin
         });
-    let message = format!(
+    let fact = format!(
         "{} ({}) cannot be prepared at the reference inputs {}: a dead point is so near that the smallest cells of linkage do not reach \
-             the assembly there; the reference itself is none\n\
-             help: move the reference away from the dead point, or shorten the ranges",
+             the assembly there; the reference itself is none",
         loop_list(&solved.group.loops),
         assembly.words.unknowns(&solved.group.unknowns),
         assembly
             .words
             .inputs(&assembly.nominal.inputs, &prepared.inputs),
     );
-    assembly.reporter.error(origin, message);
+    RefusedRange {
+        origins: [origin; 2],
+        fact,
+        narrower: "move the reference away from the dead point, or shorten the ranges",
+        otherwise: String::new(),
+    }
 }
 
-/// Says that a grid leaves out positions at which the mechanism is regular.
+/// A grid that leaves out positions at which the mechanism is regular.
 fn leaves_out<'m>(
-    assembly: &mut Assembly<'_, 'm>,
+    assembly: &Assembly<'_, 'm>,
     solved: &Solved<'m>,
     prepared: &Prepared<'m>,
     left_out: &LeftOut,
-) {
+) -> RefusedRange {
     let mut inputs = assembly.nominal.inputs.clone();
     for (&input, &x) in prepared.inputs.iter().zip(&left_out.at) {
         inputs[input] = x;
@@ -157,25 +158,29 @@ fn leaves_out<'m>(
         [assembly.algebra.mechanism.loops[solved.group.loops[0]].origin; 2],
         |input| range_of(input),
     );
-    let message = format!(
+    let fact = format!(
         "{} ({}) cannot be prepared over these ranges: {:.1} % of their positions would be left out, {} among them, though no dead point \
-             is near; this is a limit of linkage, not a mistake of yours\n\
-             help: shorten the ranges",
+             is near; this is a limit of linkage, not a mistake of yours",
         loop_list(&solved.group.loops),
         assembly.words.unknowns(&solved.group.unknowns),
         100.0 * left_out.share,
         assembly.words.inputs(&inputs, &prepared.inputs),
     );
-    assembly.reporter.error_between(origins, message);
+    RefusedRange {
+        origins,
+        fact,
+        narrower: "shorten the ranges",
+        otherwise: String::new(),
+    }
 }
 
-/// Says that the mechanism comes apart within the ranges of several inputs.
+/// A mechanism that comes apart within the ranges of several inputs.
 pub(super) fn apart<'m>(
-    assembly: &mut Assembly<'_, 'm>,
+    assembly: &Assembly<'_, 'm>,
     solved: &Solved<'m>,
     prepared: &Prepared<'m>,
     inputs: &[f64],
-) {
+) -> RefusedRange {
     let mechanism = assembly.algebra.mechanism;
     let moved = |&&input: &&usize| inputs[input] != assembly.nominal.inputs[input];
     let first = prepared.inputs.iter().find(moved);
@@ -187,12 +192,16 @@ pub(super) fn apart<'m>(
         1 => "reaches",
         _ => "reach",
     };
-    let message = format!(
-        "the mechanism comes apart in this range: {} ({}) {reach} a dead point at {}\n\
-             help: restrict the range, or change the lengths so that the links reach each other all the way",
+    let fact = format!(
+        "the mechanism comes apart in this range: {} ({}) {reach} a dead point at {}",
         loop_list(&solved.group.loops),
         assembly.words.unknowns(&solved.group.unknowns),
         assembly.words.inputs(inputs, &prepared.inputs),
     );
-    assembly.reporter.error_between(origins, message);
+    RefusedRange {
+        origins,
+        fact,
+        narrower: "restrict the range",
+        otherwise: OR_LENGTHS.to_owned(),
+    }
 }

@@ -1,15 +1,20 @@
 //! A coupled group in a known state: its unknowns, and its preparation over the ranges of inputs.
 
-use linkage_core::numeric::continuation::{Grid, Range, Refusal, Table, Terms};
+use linkage_core::numeric::continuation::{End, Grid, Range, Refusal, Table, Terms, reached};
 
-use crate::algebra::Algebra;
+use crate::algebra::{Algebra, Nominal};
 use crate::ir::{Coupled, PreparedTable};
 use crate::machine::followed_range;
 use crate::solve::{Prepared, Solved};
 
 use super::assembler::Assembly;
 use super::estimates::Position;
+use super::refused_range::RangeSurvey;
 use super::{continuation, estimates, unfollowed};
+
+/// A part of a range ends so far before a turning point, as a share of the range: a table reaches
+/// to a tenth of that.
+const BEFORE_END: f64 = 1e-4;
 
 /// An assembly of a coupled group.
 pub(super) struct Candidate {
@@ -17,47 +22,128 @@ pub(super) struct Candidate {
     pub(super) position: Position,
 }
 
-/// Prepares a group whose state is known; false if that was not possible.
+/// The least determinants in ranges that are narrower than declared, as shares of that at the
+/// reference: where a grid does not serve the first ranges, it may do so farther from dead points.
+const LEAST: [f64; 3] = [0.1, 0.25, 0.5];
+
+/// Prepares a group whose state is known; false if that was not possible. Over ranges that are
+/// refused it is prepared as far as it goes, and the refusal is kept.
 pub(super) fn prepare<'m>(
     assembly: &mut Assembly<'_, 'm>,
     solved: &Solved<'m>,
     prepared: &Prepared<'m>,
     state: &[f64],
 ) -> bool {
-    if let Some(inputs) = continuation::dead_point(assembly, prepared, state) {
-        continuation::apart(assembly, solved, prepared, &inputs);
-        return false;
+    if prepared.has_table() {
+        return prepare_table(assembly, solved, prepared, state);
     }
-    let start = start(assembly, prepared, state);
-    if prepared.in_cells == Terms::Polynomials && !fits(assembly, prepared, &start) {
-        assembly.needs_slopes = true;
-        return false;
-    }
-    match start {
-        Ok(start) => {
-            let served = match &start {
-                PreparedTable::Grid(grid) => {
-                    continuation::is_served(assembly, solved, prepared, grid)
-                }
-                PreparedTable::Table(_) => true,
+    let dead_point = continuation::dead_point(assembly, prepared, state);
+    let mut refused = dead_point.map(|at| continuation::apart(assembly, solved, prepared, &at));
+    let declared = (assembly.nominal.clone(), assembly.refused.clone());
+    let mut narrower = None;
+    loop {
+        if let Some(refused) = &refused {
+            // Whether polynomials serve narrower ranges does not matter for those that are refused.
+            if prepared.in_cells == Terms::Polynomials {
+                assembly.needs_slopes = true;
+                return false;
+            }
+            let boxes =
+                narrower.get_or_insert_with(|| narrowed(assembly, prepared, state).into_iter());
+            let Some(narrower) = boxes.next() else {
+                let refused = refused.clone();
+                (*assembly.nominal, assembly.refused) = declared;
+                refused.report(assembly.algebra.mechanism, None, &mut assembly.reporter);
+                return false;
             };
-            assembly.machine.starts[prepared.number] = Some(start);
-            served
+            assembly.work_within(narrower, refused.clone());
         }
-        Err(refusal) => {
-            unfollowed::refused(assembly, solved, prepared, refusal);
-            false
+        let start = start(assembly, prepared, state);
+        if prepared.in_cells == Terms::Polynomials && !fits(assembly, prepared, &start) {
+            assembly.needs_slopes = true;
+            return false;
         }
+        let unserved = match start {
+            Ok(grid) => match continuation::unserved(assembly, solved, prepared, &grid) {
+                None => {
+                    assembly.machine.starts[prepared.number] = Some(PreparedTable::Grid(grid));
+                    return true;
+                }
+                unserved => unserved,
+            },
+            Err(refusal) => Some(unfollowed::refused(assembly, solved, prepared, refusal)),
+        };
+        refused = refused.or(unserved);
     }
+}
+
+/// The same for a group that depends on one input.
+fn prepare_table<'m>(
+    assembly: &mut Assembly<'_, 'm>,
+    solved: &Solved<'m>,
+    prepared: &Prepared<'m>,
+    state: &[f64],
+) -> bool {
+    let input = prepared.inputs[0];
+    let partial = assembly.nominal.ranges[input].is_none();
+    let refusal = match table(assembly, prepared, state, partial) {
+        Ok(table) => {
+            assembly.machine.starts[prepared.number] = Some(PreparedTable::Table(table));
+            return true;
+        }
+        Err(refusal) => refusal,
+    };
+    let refused = unfollowed::refused(assembly, solved, prepared, refusal);
+    let part = table(assembly, prepared, state, true).ok();
+    let Some((part, (low, high))) = part.zip(assembly.nominal.ranges[input]) else {
+        let mechanism = assembly.algebra.mechanism;
+        refused.report(mechanism, None, &mut assembly.reporter);
+        return false;
+    };
+    let inside = BEFORE_END * (high - low);
+    let [low, high] = [(0, low, inside), (1, high, -inside)].map(|(side, declared, inside)| {
+        match part.ends()[side] {
+            End::Closed | End::Range(_) => declared,
+            End::TurningPoint(at) | End::Lost(at) => at + inside,
+        }
+    });
+    let mut narrower = assembly.nominal.clone();
+    narrower.ranges[input] = Some((low, high));
+    assembly.work_within(narrower, refused);
+    assembly.machine.starts[prepared.number] = Some(PreparedTable::Table(part));
+    true
+}
+
+/// Returns the mechanism with the ranges of the largest boxes in which the determinant of a group
+/// is not less than some shares of that at the reference.
+fn narrowed<'m>(
+    assembly: &Assembly<'_, 'm>,
+    prepared: &Prepared<'m>,
+    state: &[f64],
+) -> Vec<Nominal> {
+    let Some(survey) = RangeSurvey::new(assembly.nominal, &prepared.inputs) else {
+        return Vec::new();
+    };
+    let (mut numbers, _) = assembly.coupled(prepared.number);
+    let shares = reached(&mut numbers, &survey.lines, &survey.start, state);
+    let mechanism = assembly.algebra.mechanism;
+    let boxes = LEAST.iter().filter_map(|&least| {
+        let works: Vec<bool> = shares.iter().map(|&share| share >= least).collect();
+        survey.narrowed(mechanism, assembly.nominal, &works)
+    });
+    let mut boxes: Vec<Nominal> = boxes.collect();
+    boxes.retain(|narrower| narrower.ranges != assembly.nominal.ranges);
+    boxes.dedup_by(|a, b| a.ranges == b.ranges);
+    boxes
 }
 
 /// Checks that polynomials fit over the ranges.
 fn fits<'m>(
     assembly: &Assembly<'_, 'm>,
     prepared: &Prepared<'m>,
-    start: &Result<PreparedTable, Refusal>,
+    start: &Result<Grid, Refusal>,
 ) -> bool {
-    let Ok(PreparedTable::Grid(grid)) = start else {
+    let Ok(grid) = start else {
         return false;
     };
     let (mut numbers, reference) = assembly.coupled(prepared.number);
@@ -90,12 +176,12 @@ pub(super) fn candidate_of(
     }
 }
 
-/// Prepares the group over the declared ranges; if none is declared, as far as the assembly goes.
+/// Prepares the group over the ranges of several inputs, or of none.
 fn start<'m>(
     assembly: &Assembly<'_, 'm>,
     prepared: &Prepared<'m>,
     state: &[f64],
-) -> Result<PreparedTable, Refusal> {
+) -> Result<Grid, Refusal> {
     let (mut numbers, at) = assembly.coupled(prepared.number);
     let ranges = prepared.inputs.iter().map(|&input| {
         let (low, high) = followed_range(assembly.algebra, assembly.nominal, input);
@@ -103,14 +189,22 @@ fn start<'m>(
         Range { low, high, turn }
     });
     let ranges: Vec<Range> = ranges.collect();
-    match (&ranges[..], prepared.has_table()) {
-        ([range], true) => {
-            let partial = assembly.nominal.ranges[prepared.inputs[0]].is_none();
-            Table::build(&mut numbers, at[0], state, *range, partial).map(PreparedTable::Table)
-        }
-        _ => Grid::build_all(&mut numbers, &at, state, &ranges, prepared.in_cells)
-            .map(PreparedTable::Grid),
-    }
+    Grid::build_all(&mut numbers, &at, state, &ranges, prepared.in_cells)
+}
+
+/// Prepares the group over the range of its only input, or a part of it.
+fn table<'m>(
+    assembly: &Assembly<'_, 'm>,
+    prepared: &Prepared<'m>,
+    state: &[f64],
+    partial: bool,
+) -> Result<Table, Refusal> {
+    let (mut numbers, at) = assembly.coupled(prepared.number);
+    let input = prepared.inputs[0];
+    let (low, high) = followed_range(assembly.algebra, assembly.nominal, input);
+    let turn = is_angle(assembly.algebra, input);
+    let range = Range { low, high, turn };
+    Table::build(&mut numbers, at[0], state, range, partial)
 }
 
 fn is_angle(algebra: &Algebra, input: usize) -> bool {

@@ -2,7 +2,7 @@
 //! nearest to the estimates. If they cannot be listed, `assembly/followed.rs` continues.
 
 use linkage_core::numeric::choose_assembly::{Ambiguity, choose_assembly, may_be_meant};
-use linkage_core::numeric::continuation::{Refusal, meeting_states, states};
+use linkage_core::numeric::continuation::{meeting_states, states};
 use linkage_core::numeric::roots::{self, Term, Unlisted};
 
 use crate::assembly::{estimates, followed, unfollowed};
@@ -66,7 +66,7 @@ pub(super) fn close_coupled<'m>(
     let others_meet = !meeting.is_empty();
     let mut meeting = meeting.into_iter();
     if meeting.any(|other| may_be_meant(other, distance, Ambiguity::AS_WRITTEN)) {
-        unfollowed::refused(assembly, solved, prepared, Refusal::NotASolution);
+        unfollowed::report_singular(assembly, solved, prepared);
         return false;
     }
     let Some(chosen) = chosen else {

@@ -24,6 +24,7 @@ mod ranges;
 mod redundant;
 mod reference;
 mod refusal;
+mod refused_range;
 mod several;
 mod sizes;
 mod unfollowed;

@@ -14,6 +14,7 @@ use crate::model::Mechanism;
 use super::check::range_of;
 use super::dead_point::DeadPoint;
 use super::ranges::{Break, Broken, GRID, Ranges};
+use super::refused_range::{OR_LENGTHS, RefusedRange};
 
 /// Positions between the reference and a change point at which angles are compared.
 const COMPARED: usize = 8;
@@ -92,7 +93,7 @@ impl<'m> Ranges<'_, 'm> {
         algebra: &mut Algebra<'m>,
         declared: &[usize],
         at: &Broken,
-    ) -> Apart {
+    ) -> RefusedRange {
         let words = MessageFormat::new(algebra.mechanism);
         let solved = &self.formulation.groups[at.group];
         let concerned = dependence::inputs_below(
@@ -112,17 +113,22 @@ impl<'m> Ranges<'_, 'm> {
         let origin = algebra.mechanism.loops[solved.group.written].origin;
         let position = words.inputs(&at.inputs, &concerned);
         let how = format!(" (found on a grid of at most {GRID} positions)");
-        let message = match at.finite {
-            true => format!(
-                "{} a dead point at {position}{how}\n\
-                 help: restrict the range, or change the lengths so that the links reach each other all the way",
-                group.apart(),
+        let (fact, narrower, otherwise) = match at.finite {
+            true => (
+                format!("{} a dead point at {position}{how}", group.apart()),
+                "restrict the range",
+                OR_LENGTHS.to_owned(),
             ),
-            false => with_help(&not_finite(group, &position, &how)),
+            false => {
+                let [fact, help] = not_finite(group, &position, &how);
+                (fact, "", help)
+            }
         };
-        Apart {
+        RefusedRange {
             origins: input.map_or([origin; 2], |&k| range_of(&algebra.mechanism.inputs[k])),
-            message,
+            fact,
+            narrower,
+            otherwise,
         }
     }
 

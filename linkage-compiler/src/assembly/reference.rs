@@ -18,11 +18,14 @@ use super::closed_part::InnerPart;
 use super::estimates::{Choice, Position};
 use super::follow::follow_angles;
 use super::refusal::Verdict;
+use super::refused_range::RefusedRange;
 use super::sizes::Sizes;
 
 /// Chooses the modes, and reports groups that do not close, are singular or ambiguous.
 ///
-/// Returns `None` if polynomials over two inputs are not accurate over the ranges of a group.
+/// If declared ranges are refused, `nominal` has a part of them that works, and the refusal is
+/// returned. Returns `None` if polynomials over two inputs are not accurate over the ranges of a
+/// group.
 pub(crate) fn assemble_reference<'m>(
     algebra: &Algebra<'m>,
     formulation: &Formulation<'m>,
@@ -30,7 +33,7 @@ pub(crate) fn assemble_reference<'m>(
     nominal: &mut Nominal,
     parts: Vec<InnerPart<'m>>,
     reporter: Reporter,
-) -> Option<Reference> {
+) -> Option<(Reference, Option<RefusedRange>)> {
     let machine = Machine::new(closure, formulation, nominal);
     let Sizes { longest, largest } = Sizes::new(algebra, formulation, nominal);
     let mut assembly = Assembly {
@@ -44,6 +47,7 @@ pub(crate) fn assemble_reference<'m>(
         parts,
         found: Vec::new(),
         needs_slopes: false,
+        refused: None,
         values: Vec::new(),
     };
     assembly.centre(None);
@@ -59,13 +63,14 @@ pub(crate) fn assemble_reference<'m>(
         scales.push(1.0 / if slack < 0.0 { -scale } else { scale });
         start = stage.end;
     }
-    (!assembly.needs_slopes).then_some(Reference {
+    let reference = Reference {
         machine: assembly.machine,
         scales,
         closed,
         longest,
         found: assembly.found,
-    })
+    };
+    (!assembly.needs_slopes).then_some((reference, assembly.refused))
 }
 
 /// One candidate solution of a group.

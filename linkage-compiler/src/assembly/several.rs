@@ -1,11 +1,17 @@
 //! The check over the ranges of several inputs.
 
 use linkage_core::numeric::continuation::{Correction, dead_point};
-use linkage_core::range_check::ROUNDING;
+use linkage_core::range_check::{DEAD, ROUNDING};
 
 use super::ranges::{Broken, Grid, Ranges};
+use super::refused_range::RangeSurvey;
+use crate::algebra::Nominal;
 use crate::ir::PreparedTable;
 use crate::machine::Numbers;
+use crate::model::Mechanism;
+
+/// The least slacks at the nodes of a box: between nodes it may be less.
+const LEAST: [f64; 3] = [DEAD, 0.05, 0.2];
 
 impl Ranges<'_, '_> {
     /// Returns the first position of a grid over several inputs that cannot be assembled. If a
@@ -28,6 +34,30 @@ impl Ranges<'_, '_> {
                 Some(Some(at)) => Some(broken(at, true)),
                 None => Some(broken(inputs, !slack.is_nan())),
             }
+        })
+    }
+
+    /// Returns the mechanism with the ranges of the largest box without such a position.
+    pub(super) fn largest_box(
+        &mut self,
+        mechanism: &Mechanism,
+        declared: &[usize],
+    ) -> Option<Nominal> {
+        let nominal = self.nominal;
+        let survey = RangeSurvey::new(nominal, declared)?;
+        let nodes = survey.nodes(nominal).into_iter();
+        let slacks: Vec<f64> = nodes.map(|inputs| self.slack(&inputs).0).collect();
+        LEAST.iter().find_map(|&least| {
+            let works: Vec<bool> = slacks.iter().map(|&slack| slack > least).collect();
+            let narrower = survey.narrowed(mechanism, nominal, &works)?;
+            let mut within = Ranges {
+                formulation: self.formulation,
+                nominal: &narrower,
+                reference: &mut *self.reference,
+                values: Vec::new(),
+            };
+            let fails = within.grid_failure(declared).is_some();
+            (!fails).then_some(narrower)
         })
     }
 

@@ -8,13 +8,25 @@ use crate::structure::unsolved::OURS;
 
 use super::assembler::Assembly;
 use super::check::range_of;
+use super::refused_range::{OR_LENGTHS, RefusedRange};
 
-pub(super) fn refused<'m>(
+/// Reports a group whose solution is singular at the reference inputs.
+pub(super) fn report_singular<'m>(
     assembly: &mut Assembly<'_, 'm>,
     solved: &Solved<'m>,
     prepared: &Prepared<'m>,
-    refusal: Refusal,
 ) {
+    let refused = refused(assembly, solved, prepared, Refusal::NotASolution);
+    refused.report(assembly.algebra.mechanism, None, &mut assembly.reporter);
+}
+
+/// The refusal of a group over its ranges.
+pub(super) fn refused<'m>(
+    assembly: &Assembly<'_, 'm>,
+    solved: &Solved<'m>,
+    prepared: &Prepared<'m>,
+    refusal: Refusal,
+) -> RefusedRange {
     let loops = loop_list(&solved.group.loops);
     let unknowns = assembly.words.unknowns(&solved.group.unknowns);
     let [reach, come, are] = match solved.group.loops.len() {
@@ -37,22 +49,34 @@ pub(super) fn refused<'m>(
             [mechanism.loops[solved.group.loops[0]].origin; 2],
             |input| range_of(&mechanism.inputs[input]),
         );
-    let message = match refusal {
-        Refusal::TurningPoint { at } => format!(
-            "the mechanism comes apart in this range: {loops} ({unknowns}) {reach} a turning point at {}, where this \
-                 assembly meets another one and both end\n\
-                 help: restrict the range, or change the lengths so that the links reach each other all the way",
-            at_input(at)
+    let (fact, narrower, otherwise) = match refusal {
+        Refusal::TurningPoint { at } => (
+            format!(
+                "the mechanism comes apart in this range: {loops} ({unknowns}) {reach} a turning point at {}, where this \
+                 assembly meets another one and both end",
+                at_input(at)
+            ),
+            "restrict the range",
+            OR_LENGTHS,
         ),
-        Refusal::NotConverging { at } => format!(
-            "{loops} ({unknowns}) {come} too near to a turning point at {} for a table over this range; {OURS}\n\
-                 help: restrict the range, or choose lengths away from the turning point",
-            at_input(at)
+        Refusal::NotConverging { at } => (
+            format!(
+                "{loops} ({unknowns}) {come} too near to a turning point at {} for a table over this range; {OURS}",
+                at_input(at)
+            ),
+            "restrict the range",
+            ", or choose lengths away from the turning point",
         ),
-        _ => format!(
-            "{loops} ({unknowns}) {are} singular{position}, a dead point\n\
-                 help: choose a reference input or lengths away from the dead point"
+        _ => (
+            format!("{loops} ({unknowns}) {are} singular{position}, a dead point"),
+            "choose a reference input or lengths away from the dead point",
+            "",
         ),
     };
-    assembly.reporter.error_between(origins, message);
+    RefusedRange {
+        origins,
+        fact,
+        narrower,
+        otherwise: otherwise.to_owned(),
+    }
 }

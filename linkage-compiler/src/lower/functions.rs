@@ -30,6 +30,14 @@ pub(crate) struct FunctionExpressions {
     pub(crate) columns: Vec<Column>,
 }
 
+impl FunctionExpressions {
+    /// Returns true for a picture in which there is no link.
+    pub(super) fn draws_nothing(&self) -> bool {
+        let picture = self.picture.as_ref();
+        picture.is_some_and(|picture| picture.points.is_empty())
+    }
+}
+
 /// The angles whose values the results are computed from.
 pub(super) fn angles_of_function(function: &FunctionExpressions) -> Vec<usize> {
     let others = function.beside.iter().chain(&function.settled).flatten();

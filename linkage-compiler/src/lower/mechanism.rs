@@ -30,6 +30,12 @@ pub(crate) fn mechanism<'m>(
     functions: Vec<FunctionExpressions>,
     observer: &mut dyn PhaseObserver,
 ) -> CompiledMechanism {
+    let definitions = algebra.mechanism.evaluators.iter().enumerate();
+    let functions = functions.into_iter().zip(definitions);
+    // Of a picture without a link there has been a warning.
+    let functions: Vec<_> = functions
+        .filter(|(function, _)| !function.draws_nothing())
+        .collect();
     let mut inliner = solved_groups(algebra, formulation);
     let gaps = formulation.groups.iter().map(|group| group.closed.gap);
     let gaps = plain(&mut inliner, &gaps.collect::<Vec<_>>());
@@ -46,7 +52,8 @@ pub(crate) fn mechanism<'m>(
     let of_groups = nodes.iter().flat_map(GroupNodes::all);
     let of_assembly = gaps.iter().chain(&survey).copied().chain(of_groups);
     let mut angles = valued_angles(&inliner.target, &of_assembly.collect::<Vec<_>>());
-    angles.extend(functions.iter().flat_map(angles_of_function));
+    let expressed = || functions.iter().map(|(function, _)| function);
+    angles.extend(expressed().flat_map(angles_of_function));
     angles.sort_unstable();
     angles.dedup();
     let angles = formulation.in_order(algebra, angles);
@@ -56,12 +63,9 @@ pub(crate) fn mechanism<'m>(
 
     let mut slots = Slots::default();
     let graph = &inliner.target;
-    let picture = functions
-        .iter()
-        .find_map(|function| function.picture.clone());
-    let definitions = algebra.mechanism.evaluators.iter().enumerate();
-    let functions = functions.into_iter().zip(definitions);
+    let picture = expressed().find_map(|function| function.picture.clone());
     let functions: Vec<Function> = functions
+        .into_iter()
         .map(|(function, (index, definition))| {
             lower_function(function, definition, index, &mut slots, observer)
         })

@@ -53,7 +53,7 @@ pub(super) fn signature<'m>(
         unit: input.dimension.unit(mechanism.unit),
         angle: input.dimension.half_lengths == 0,
         reference: nominal.inputs[index],
-        range: nominal.ranges[index],
+        range: at.written.ranges[index],
         followed: followed_range(algebra, nominal, index),
         rates: constant_ratio::candidate_rates(&algebra.names, index),
     });

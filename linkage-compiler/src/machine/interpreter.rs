@@ -11,6 +11,8 @@ use crate::algebra::{Algebra, Bound, Nominal};
 use crate::ir::{ClosurePrograms, ContinuousAngle, Coupled, Generated, PreparedTable};
 use crate::solve::Formulation;
 
+use super::staged::StagedProgram;
+
 /// The programs with their data.
 #[derive(Clone, Debug)]
 pub(crate) struct Machine {
@@ -97,6 +99,24 @@ impl Machine {
         let mut states = self.states(inputs);
         states[number] = state.to_vec();
         run(program, |source| self.load(source, inputs, &states))
+    }
+
+    /// Runs a step of coupled group `number` as [`run_coupled`](Self::run_coupled) does. The results
+    /// are in `step`.
+    pub(super) fn run_step(
+        &self,
+        number: usize,
+        step: &mut StagedProgram,
+        inputs: &[f64],
+        state: &[f64],
+    ) {
+        let load = |source, others: &[Vec<f64>]| match source {
+            Source::State(group, component) if group == number => {
+                state.get(component).copied().unwrap_or(f64::NAN)
+            }
+            _ => self.load(source, inputs, others),
+        };
+        step.run(inputs, || self.states(inputs), load);
     }
 
     /// The same over a box of states.

@@ -8,6 +8,7 @@ mod numbers;
 mod other_inputs;
 mod perturbed;
 mod reference;
+mod staged;
 
 pub(crate) use input_range::followed_range;
 pub(crate) use interpreter::Machine;

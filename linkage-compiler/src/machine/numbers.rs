@@ -7,12 +7,15 @@ use linkage_symbolic::program::Program;
 use crate::ir::Coupled;
 
 use super::interpreter::Machine;
+use super::staged::StagedProgram;
 
 /// A coupled group on numbers.
 pub(crate) struct Numbers<'a> {
     machine: &'a Machine,
     number: usize,
     inputs: Vec<f64>,
+    /// The step of the group, once it has run.
+    step: Option<StagedProgram>,
 }
 
 impl<'a> Numbers<'a> {
@@ -25,6 +28,7 @@ impl<'a> Numbers<'a> {
             machine,
             number,
             inputs,
+            step: None,
         };
         (numbers, group_inputs)
     }
@@ -51,12 +55,20 @@ impl<'a> Numbers<'a> {
 impl Correction for Numbers<'_> {
     fn correct(&mut self, x: &[f64], state: &mut [f64]) -> Step {
         self.set_inputs(x);
-        let outputs = self.run(&self.group().correct, state);
-        let (next, rest) = outputs.split_at(state.len());
-        state.copy_from_slice(next);
+        let program = &self.machine.closure.coupled[self.number].correct;
+        let number = self.number;
+        let step = self
+            .step
+            .get_or_insert_with(|| StagedProgram::new(program, number));
+        self.machine.run_step(number, step, &self.inputs, state);
+        let mut outputs = step.outputs();
+        for (number, next) in state.iter_mut().zip(&mut outputs) {
+            *number = next;
+        }
+        let mut rest = || outputs.next().unwrap_or(f64::NAN);
         Step {
-            size: rest[0].sqrt(),
-            determinant: rest[1],
+            size: rest().sqrt(),
+            determinant: rest(),
         }
     }
 }

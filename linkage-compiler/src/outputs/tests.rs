@@ -90,7 +90,7 @@ fn expect_agreement(items: &str, function: &str) {
         Vec::new(),
         reporter,
     );
-    let reference = reference.expect("polynomials serve");
+    let (reference, _) = reference.expect("polynomials serve");
     let messages = diagnostics.texts();
     assert!(
         reference.closed || formulation.prepared().count() == 0,

@@ -123,9 +123,9 @@ pub(crate) fn find<'m>(
         algebra, dimension, &sketch, &samples, &links, &guides, &ownership,
     );
     if found.picture.points.is_empty() {
-        reporter.error_with_help(
+        reporter.warning_with_help(
             asked.origin,
-            "there is nothing to draw: the loops tell of no link",
+            "there is nothing to draw: the loops tell of no link; the function of the picture is left out",
             "name the points that links join: `picture([a, b], [b, c, d])`",
         );
     }

@@ -7,6 +7,7 @@ use crate::structure::equations::{Coordinate, Equation};
 use crate::structure::fault::StructureFault;
 use crate::structure::frames::FrameFaults;
 use crate::structure::matching::Matching;
+use crate::structure::nearly_redundant::nearly_redundant;
 use crate::structure::redundant::RedundantLoops;
 use crate::structure::{closest_approach, frames, matching, naming, redundant};
 
@@ -171,7 +172,8 @@ fn surplus_equations<'m>(
             _ => "",
         };
         let repeated =
-            redundant::redundant_loops(names, nominal, equation, surplus, equations, coordinates);
+            redundant::redundant_loops(names, nominal, equation, surplus, equations, coordinates)
+                .or_else(|| nearly_redundant(names, nominal, equation, equations, coordinates));
         let RedundantLoops { fact, help } = repeated.unwrap_or_else(|| RedundantLoops {
                 fact: short,
                 help: format!(

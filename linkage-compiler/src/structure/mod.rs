@@ -38,6 +38,7 @@ pub(crate) mod group;
 pub(crate) mod matching;
 pub(crate) mod mobility_check;
 pub(crate) mod naming;
+mod nearly_redundant;
 pub(crate) mod point;
 pub(crate) mod polynomials;
 pub(crate) mod reductions;

@@ -50,7 +50,7 @@ pub(crate) fn redundant_loops<'m>(
     // remain.
     let others = equations.iter().filter(|e| e.loops != surplus.loops);
     let spare = std::iter::once(surplus).chain(others).find_map(|left_out| {
-        let determined = found_by_itself(names, left_out, equations, coordinates);
+        let determined = coordinates_of_one(names, left_out, equations, coordinates);
         let fits = left_out.rows.len() == determined.len() + too_many;
         let even: Option<Vec<&ConstantRatio>> = determined
             .iter()
@@ -105,7 +105,7 @@ pub(crate) fn all_closed<'m>(
 }
 
 /// The coordinates that no other equation contains.
-fn found_by_itself<'m>(
+pub(crate) fn coordinates_of_one<'m>(
     names: &Names<'m>,
     equation: &Equation<'m>,
     equations: &[Equation<'m>],
@@ -138,7 +138,7 @@ fn lets_for(mechanism: &Mechanism, even: &[&ConstantRatio]) -> Option<String> {
 }
 
 /// Inputs at the reference and around it. Several go their ways in different steps.
-fn positions(names: &Names<'_>, nominal: &Nominal) -> Vec<Vec<f64>> {
+pub(crate) fn positions(names: &Names<'_>, nominal: &Nominal) -> Vec<Vec<f64>> {
     let longest = longest(names, nominal);
     let inputs = names.mechanism.inputs.iter().enumerate();
     let ends: Vec<[f64; 3]> = inputs
@@ -185,7 +185,7 @@ pub(crate) fn longest(names: &Names<'_>, nominal: &Nominal) -> f64 {
 
 /// The loops on numbers; `None` if there is an unknown that the compiler introduced, of which
 /// nothing is estimated.
-fn simultaneous_loops<'m, 'c>(
+pub(crate) fn simultaneous_loops<'m, 'c>(
     names: &Names<'m>,
     nominal: &Nominal,
     equations: &[Equation<'m>],

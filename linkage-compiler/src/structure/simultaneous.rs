@@ -22,6 +22,9 @@ const STEPS: usize = 40;
 
 const LONGEST_STEP: f64 = 0.5;
 
+/// A step that changes nothing but rounding, in radians or shares of a length.
+const SETTLED: f64 = 1e-11;
+
 /// Keeps a matrix regular where unknowns are not determined at all; too small to slow anything
 /// down.
 const DAMPING: f64 = 1e-14;
@@ -41,9 +44,14 @@ pub(crate) struct SimultaneousLoops<'a, 'm> {
     pub(crate) scales: Vec<f64>,
 }
 
-impl SimultaneousLoops<'_, '_> {
+impl<'m> SimultaneousLoops<'_, 'm> {
     /// Returns the error of every row.
     fn missing(&self, x: &[f64], at: &Nominal) -> Vec<f64> {
+        at.evaluate(&self.substituted(&self.rows, x))
+    }
+
+    /// Returns rows with these coordinates.
+    pub(crate) fn substituted(&self, rows: &[Ex<'m>], x: &[f64]) -> Vec<Ex<'m>> {
         let graph = self.rows[0].graph();
         let mut values = Map::new();
         for ((coordinate, symbols), &x) in self.coordinates.iter().zip(&self.symbols).zip(x) {
@@ -54,7 +62,7 @@ impl SimultaneousLoops<'_, '_> {
             let numbers = numbers.into_iter().map(|number| graph.number(number));
             values.extend(symbols.iter().copied().zip(numbers));
         }
-        at.evaluate(&substitute(&self.rows, &values))
+        substitute(rows, &values)
     }
 
     /// Returns the change of the rows with each coordinate, measured by its scale.
@@ -70,6 +78,30 @@ impl SimultaneousLoops<'_, '_> {
             pairs.map(|(a, b)| (a - b) / (2.0 * STEP)).collect()
         });
         slopes.collect()
+    }
+
+    /// Returns the coordinates at which the loops miss least, and by how much they do.
+    pub(crate) fn nearest(&self, mut x: Vec<f64>, at: &Nominal) -> Option<(Vec<f64>, f64)> {
+        for _ in 0..STEPS {
+            let missing = self.missing(&x, at);
+            let miss = dot(&missing, &missing).sqrt();
+            if !miss.is_finite() {
+                return None;
+            }
+            let step = match x.is_empty() {
+                true => Vec::new(),
+                false => least_squares(&self.slopes(&x, at), &missing)?,
+            };
+            let size = largest(&step);
+            if size <= SETTLED {
+                return Some((x, miss));
+            }
+            let shorter = (LONGEST_STEP / size).min(1.0);
+            for ((x, step), scale) in x.iter_mut().zip(step).zip(&self.scales) {
+                *x -= shorter * step * scale;
+            }
+        }
+        None
     }
 
     /// Newton's method in the sense of least squares: more equations than coordinates.
@@ -95,7 +127,8 @@ impl SimultaneousLoops<'_, '_> {
     }
 }
 
-fn largest<'x>(numbers: impl IntoIterator<Item = &'x f64>) -> f64 {
+/// Returns the largest size of some numbers; NaN if one of them is.
+pub(crate) fn largest<'x>(numbers: impl IntoIterator<Item = &'x f64>) -> f64 {
     let numbers = numbers.into_iter().map(|x| x.abs());
     numbers.fold(0.0, |a, x| if x > a || x.is_nan() { x } else { a })
 }

@@ -14,6 +14,7 @@ mod parts;
 mod periodic_courses;
 mod proposals;
 mod robust;
+mod scalar_loops;
 mod speed;
 mod splines;
 

@@ -82,3 +82,24 @@ fn a_platform_that_comes_apart_is_refused_within_a_second() {
     }
     assert!(platform("68mm..72mm", "204mm..208mm").is_empty());
 }
+
+/// A plate on two lines and a cylinder, moved by two cylinders, over all of their strokes: a thousand cells, without optimisation. With
+/// states of the wrong size it took twenty times as long.
+#[test]
+fn two_cylinders_are_prepared_within_three_seconds() {
+    let text = "struct Plate { unit mm;
+        input stroke1 = 149mm in 120.392mm..191.316mm;
+        input stroke2 = 189.5mm in 113.7mm..265.3mm;
+        unknown t = 169deg;
+        let pin = (398mm, -253mm) + polar(45mm, t);
+        loop distance((549mm, -298mm), (398mm, -253mm) + polar(45mm, t + 104deg)) = stroke1;
+        unknown p = (240mm, -240mm);
+        unknown k = 19deg;
+        loop dot((298mm, -240.75mm) - p, dir(k + 67deg)) = 0;
+        loop dot(pin - p, dir(k + 67deg)) = 0;
+        loop distance((538.5mm, -197mm), p + polar(118mm, k)) = stroke2; }
+        impl Plate { fn motion(stroke1, stroke2) -> Motion { p } }";
+    let taken = time(text, 1);
+    println!("two cylinders: {taken:?}");
+    assert!(taken < Duration::from_secs(3), "{taken:?}");
+}

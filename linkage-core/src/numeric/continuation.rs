@@ -29,7 +29,7 @@ mod walk;
 
 pub use crate::certificate::{ALLOWED_CONTRACTION, FIRST_CORRECTION, STEPS_BESIDE};
 pub use estimate::{Astray, from_estimate, turned};
-pub use grid::{Grid, GridLookup, LeftOut, Terms};
+pub use grid::{Grid, GridLookup, LeftOut, Terms, reached};
 pub use layout::{Axis, CellLayout, GridLayout, NodeLayout, TableLayout};
 pub use lookup::Lookup;
 pub use states::{meeting_states, states};

@@ -124,10 +124,12 @@ fn other_spelling(text: &str, suffix: &str) -> Option<String> {
         "Kg" | "KG" | "kgs" => "kg",
         "KN" | "kn" => "kN",
         "Mpa" | "mpa" => "MPa",
-        "rpm" => "turn/min",
+        "foot" | "feet" => "ft",
+        "RPM" => "rpm",
         "Hz" => "/s",
         "bar" => " * 0.1MPa",
         "kgf" => " * 9.80665N",
+        "lbs" => return Some(format!("`{text}lb` for a mass, `{text}lbf` for a force")),
         "sec" => return Some(format!("`{text}s` for time, `{text}arcsec` for an angle")),
         "rev" | "turns" => "turn",
         _ => {

@@ -11,12 +11,12 @@ pub struct UnitOfMeasure {
     pub scale: Scale,
 }
 
-/// `10^ten * pi^pi * whole.0^whole.1`
+/// `10^ten * pi^pi`, times each of `wholes` to its power.
 #[derive(Clone, Copy, Debug)]
 pub struct Scale {
     pub ten: i64,
     pub pi: i32,
-    pub whole: (u32, i32),
+    pub wholes: &'static [(u64, i32)],
 }
 
 const ONE: UnitOfMeasure = UnitOfMeasure {
@@ -28,7 +28,7 @@ const ONE: UnitOfMeasure = UnitOfMeasure {
     scale: Scale {
         ten: 0,
         pi: 0,
-        whole: (1, 1),
+        wholes: &[],
     },
 };
 const METRE: UnitOfMeasure = UnitOfMeasure { metres: 1, ..ONE };
@@ -51,25 +51,30 @@ const PASCAL: UnitOfMeasure = UnitOfMeasure {
     ..NEWTON
 };
 const RADIAN: UnitOfMeasure = UnitOfMeasure { angle: true, ..ONE };
-/// 254 of the unit 1e-4 m.
-const INCH: UnitOfMeasure = UnitOfMeasure {
-    scale: Scale {
-        ten: -4,
-        pi: 0,
-        whole: (254, 1),
-    },
-    ..METRE
-};
-const MINUTE: UnitOfMeasure = UnitOfMeasure {
-    scale: Scale {
-        whole: (60, 1),
-        ..ONE.scale
-    },
-    ..SECOND
+/// 25.4 mm: 254 of the unit 1e-4 m. Inch, foot and pound are those of the agreement of 1959 (NIST
+/// Special Publication 811, appendix B).
+const INCH: UnitOfMeasure = METRE.shifted(-4).wholes(&[(254, 1)]);
+/// 12 inches.
+const FOOT: UnitOfMeasure = METRE.shifted(-4).wholes(&[(3048, 1)]);
+/// 0.45359237 kg.
+const POUND: UnitOfMeasure = KILOGRAM.shifted(-8).wholes(&[(45_359_237, 1)]);
+/// The weight of a pound at standard gravity, 9.80665 m/s^2 (General Conference on Weights and
+/// Measures, 1901).
+const POUND_OF_FORCE: UnitOfMeasure = NEWTON.shifted(-13).wholes(&[(45_359_237, 1), (980_665, 1)]);
+/// A pound of force on a square inch, whose side is 254 of the unit 1e-4 m.
+const POUND_ON_SQUARE_INCH: UnitOfMeasure =
+    PASCAL
+        .shifted(-5)
+        .wholes(&[(45_359_237, 1), (980_665, 1), (254, -2)]);
+const MINUTE: UnitOfMeasure = SECOND.wholes(&[(60, 1)]);
+/// Two half turns in 60 seconds.
+const TURN_IN_A_MINUTE: UnitOfMeasure = UnitOfMeasure {
+    seconds: -1,
+    ..RADIAN.half_turns(&[(30, -1)])
 };
 
 /// Spellings, the first of which messages list.
-const UNITS: [(&[&str], UnitOfMeasure); 30] = [
+const UNITS: [(&[&str], UnitOfMeasure); 35] = [
     (&["m"], METRE),
     (&["mm"], METRE.shifted(-3)),
     (&["cm"], METRE.shifted(-2)),
@@ -77,21 +82,25 @@ const UNITS: [(&[&str], UnitOfMeasure); 30] = [
     (&["um", "\u{b5}m", "\u{3bc}m"], METRE.shifted(-6)),
     (&["nm"], METRE.shifted(-9)),
     (&["inch"], INCH),
-    (&["deg"], RADIAN.half_turns(180, -1)),
+    (&["ft"], FOOT),
+    (&["deg"], RADIAN.half_turns(&[(180, -1)])),
     (&["rad"], RADIAN),
-    (&["arcmin"], RADIAN.half_turns(180 * 60, -1)),
-    (&["arcsec"], RADIAN.half_turns(180 * 3600, -1)),
-    (&["turn"], RADIAN.half_turns(2, 1)),
+    (&["arcmin"], RADIAN.half_turns(&[(180 * 60, -1)])),
+    (&["arcsec"], RADIAN.half_turns(&[(180 * 3600, -1)])),
+    (&["turn"], RADIAN.half_turns(&[(2, 1)])),
     (&["kg"], KILOGRAM),
     (&["g"], KILOGRAM.shifted(-3)),
     (&["mg"], KILOGRAM.shifted(-6)),
     (&["t"], KILOGRAM.shifted(3)),
+    (&["lb"], POUND),
     (&["N"], NEWTON),
     (&["mN"], NEWTON.shifted(-3)),
     (&["kN"], NEWTON.shifted(3)),
+    (&["lbf"], POUND_OF_FORCE),
     (&["s"], SECOND),
     (&["ms"], SECOND.shifted(-3)),
     (&["min"], MINUTE),
+    (&["rpm"], TURN_IN_A_MINUTE),
     (&["J"], JOULE),
     (&["mJ"], JOULE.shifted(-3)),
     (&["kJ"], JOULE.shifted(3)),
@@ -101,6 +110,7 @@ const UNITS: [(&[&str], UnitOfMeasure); 30] = [
     (&["Pa"], PASCAL),
     (&["kPa"], PASCAL.shifted(3)),
     (&["MPa"], PASCAL.shifted(6)),
+    (&["psi"], POUND_ON_SQUARE_INCH),
 ];
 
 /// The units as messages list them.
@@ -135,11 +145,15 @@ impl UnitOfMeasure {
         self
     }
 
-    /// Half a turn times a power of a number.
-    const fn half_turns(mut self, number: u32, power: i32) -> UnitOfMeasure {
-        self.scale.pi = 1;
-        self.scale.whole = (number, power);
+    const fn wholes(mut self, wholes: &'static [(u64, i32)]) -> UnitOfMeasure {
+        self.scale.wholes = wholes;
         self
+    }
+
+    /// Half a turn times these numbers to their powers.
+    const fn half_turns(mut self, wholes: &'static [(u64, i32)]) -> UnitOfMeasure {
+        self.scale.pi = 1;
+        self.wholes(wholes)
     }
 }
 

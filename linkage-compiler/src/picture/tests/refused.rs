@@ -1,5 +1,6 @@
 //! Refused pictures, and functions without a picture next to one with a picture.
 
+use crate::check;
 use crate::ir::CompiledMechanism;
 
 use super::{FOUR_BAR, compile, expect_message};
@@ -39,11 +40,22 @@ fn a_picture_stands_alone() {
 
 #[test]
 fn without_links_there_is_nothing_to_draw() {
-    expect_message(
-        "input phi = 0deg in 0deg..360deg; let psi = 2 * phi;",
-        "fn look(phi) -> Look { psi, shape: picture() }",
-        "there is nothing to draw",
+    let text = "struct M { input phi = 0deg in 0deg..360deg; let psi = 2 * phi; } impl M {
+        fn look(phi) -> Look { psi, shape: picture() } fn turned(phi) -> Turned { psi } }";
+    let checked = check(text.parse().expect("tokens"));
+    assert!(checked.messages.is_empty(), "{:?}", checked.messages);
+    let [warning] = &checked.warnings[..] else {
+        panic!("{:?}", checked.warnings);
+    };
+    assert!(
+        warning.text.contains("there is nothing to draw"),
+        "{}",
+        warning.text
     );
+    let unit = checked.unit.expect("no mistake");
+    let functions: Vec<&str> = unit.functions.iter().map(|f| f.name.as_str()).collect();
+    assert_eq!(functions, ["turned"]);
+    assert!(unit.picture.is_none());
 }
 
 #[test]

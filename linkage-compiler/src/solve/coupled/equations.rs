@@ -2,9 +2,9 @@
 
 use linkage_symbolic::{Ex, NodeId, SymbolId, V2, Vector, Vn, substitute};
 
-use crate::algebra::{Algebra, CoreRow, derivatives::partial};
+use crate::algebra::{Algebra, CoreRow, derivatives::partial, nominal};
 use crate::solve::group_context::GroupContext;
-use crate::structure::{Block, Core, Coupled, Private};
+use crate::structure::{Block, Core, Coupled, Private, Product};
 
 use super::large_system::LargeSystem;
 
@@ -121,7 +121,7 @@ pub(super) fn core_equations<'m, 'f>(
     let positions = 0..form.core.len();
     let variables = positions.map(|k| partial::unknown_variable(algebra, group.index, k));
     let variables = variables.collect();
-    let reach = reach(algebra, form);
+    let reach = reach(algebra, group, form);
     let scale = reach.inverse_scale();
     let mut equations = Equations {
         form,
@@ -143,8 +143,10 @@ pub(super) fn core_equations<'m, 'f>(
     equations
 }
 
-/// The sum of the lengths of the links that do not depend on inputs.
-fn reach<'m>(algebra: &Algebra<'m>, form: &Coupled<'m>) -> Ex<'m> {
+/// The sum of the lengths of the links that do not depend on inputs. Loops without such a link have
+/// the size of the lengths that turn in them: if lengths of a state were not about 1, steps along
+/// them would be taken for steps to another assembly.
+fn reach<'m>(algebra: &Algebra<'m>, group: &GroupContext<'_, 'm>, form: &Coupled<'m>) -> Ex<'m> {
     let angles = &algebra.names.angles;
     let turns = |symbol| angles.iter().any(|angle| angle.cos == symbol);
     let vector_loops = form.blocks.iter().filter(|block| block.rows.len() > 1);
@@ -158,11 +160,49 @@ fn reach<'m>(algebra: &Algebra<'m>, form: &Coupled<'m>) -> Ex<'m> {
         .filter(|link| link.iter().all(|x| x.is_fixed()));
     let zero = algebra.zero();
     let sum = fixed.fold(zero, |sum, link| sum + vector(&link).length());
-    if form.is_large() {
-        sum + between_ends(algebra, form)
+    let has_links = !sum.is_zero();
+    if has_links && !form.is_large() {
+        return sum;
+    }
+    let sum = sum + between_ends(algebra, form);
+    if sum.is_zero() {
+        largest_arm(algebra, group, form)
     } else {
         sum
     }
+}
+
+/// The largest length that turns with unknown angles alone in scalar loops; a number if all of them
+/// depend on inputs.
+fn largest_arm<'m>(
+    algebra: &Algebra<'m>,
+    group: &GroupContext<'_, 'm>,
+    form: &Coupled<'m>,
+) -> Ex<'m> {
+    let directions: Vec<SymbolId> = algebra
+        .names
+        .angles
+        .iter()
+        .flat_map(|angle| [angle.cos, angle.sin])
+        .collect();
+    let turns = |product: &&Product<'m>| {
+        let mut symbols = product.powers.iter();
+        !product.powers.is_empty() && symbols.all(|(symbol, _)| directions.contains(symbol))
+    };
+    let scalar_loops = form.blocks.iter();
+    let scalar_loops = scalar_loops
+        .filter(|block| block.between_lengths && block.rows.len() == 1 && block.distance.is_none());
+    let products = scalar_loops.flat_map(|block| &block.terms).filter(turns);
+    let arms: Vec<Ex> = products
+        .map(|product| product.coefficient[0].abs())
+        .collect();
+    let fixed = arms.iter().copied().filter(|arm| arm.is_fixed());
+    fixed.reduce(Ex::max).unwrap_or_else(|| {
+        let lengths = nominal::at_estimates(&algebra.names, group.nominal, &arms);
+        algebra
+            .graph
+            .number(lengths.into_iter().fold(0.0, f64::max))
+    })
 }
 
 /// The sum of the distances between the fixed ends of driven links and the origins of moving

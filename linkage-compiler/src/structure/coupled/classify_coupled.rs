@@ -213,5 +213,6 @@ fn block<'m>(
         distance: equation.distance.clone(),
         product,
         number: core_unknowns::is_number_loop(names.mechanism, equation.written),
+        between_lengths: core_unknowns::is_length_loop(names.mechanism, equation.written),
     }
 }

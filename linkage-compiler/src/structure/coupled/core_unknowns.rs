@@ -30,9 +30,19 @@ fn is_number_unknown(mechanism: &Mechanism, unknown: usize) -> bool {
 
 /// True for a loop without a length in it.
 pub(crate) fn is_number_loop(mechanism: &Mechanism, index: usize) -> bool {
+    is_number(loop_dimension(mechanism, index))
+}
+
+/// True for a loop whose two sides are lengths.
+pub(crate) fn is_length_loop(mechanism: &Mechanism, index: usize) -> bool {
+    let dimension = loop_dimension(mechanism, index);
+    dimension.is_some_and(|dimension| dimension.fits(Dimension::LENGTH))
+}
+
+fn loop_dimension(mechanism: &Mechanism, index: usize) -> Option<Dimension> {
     let equation = &mechanism.loops[index];
     let dimensions = [&equation.left.ty, &equation.right.ty].map(Type::dimension);
-    is_number(dimensions.into_iter().flatten().next())
+    dimensions.into_iter().flatten().next()
 }
 
 fn is_number(dimension: Option<Dimension>) -> bool {

@@ -43,6 +43,8 @@ pub(crate) struct Block<'m> {
     pub(crate) product: Option<[V3<'m>; 2]>,
     /// True if it is about numbers, as those of directions are.
     pub(crate) number: bool,
+    /// True if the loop is written between lengths, which a scalar loop need not be.
+    pub(crate) between_lengths: bool,
 }
 
 impl Block<'_> {

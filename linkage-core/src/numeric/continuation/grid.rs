@@ -11,6 +11,7 @@ mod left_out;
 mod lookup;
 mod node;
 mod path;
+mod reached;
 mod served;
 mod slopes;
 mod terms;
@@ -33,6 +34,7 @@ use walk::Solution;
 
 pub use left_out::LeftOut;
 pub use lookup::GridLookup;
+pub use reached::reached;
 pub(super) use terms::OUTSIDE;
 pub use terms::Terms;
 

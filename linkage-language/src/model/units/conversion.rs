@@ -92,7 +92,7 @@ impl LengthUnit {
 struct Factor {
     ten: i64,
     pi: i32,
-    whole: BTreeMap<u32, i32>,
+    whole: BTreeMap<u64, i32>,
 }
 
 impl Factor {
@@ -115,8 +115,7 @@ impl Factor {
     fn include(&mut self, scale: Scale, power: i32) -> Option<()> {
         self.ten += scale.ten * i64::from(power);
         self.pi += scale.pi * power;
-        let (number, exponent) = scale.whole;
-        if number > 1 {
+        for &(number, exponent) in scale.wholes {
             *self.whole.entry(number).or_default() += exponent * power;
         }
         let counts = self.whole.values().chain([&self.pi]);

@@ -62,8 +62,7 @@ impl Decimal {
     }
 
     /// Exact, or longer than any tie between two neighbouring numbers of practical length.
-    pub(in crate::model) fn over(&self, divisor: u32) -> Decimal {
-        let divisor = u64::from(divisor);
+    pub(in crate::model) fn over(&self, divisor: u64) -> Decimal {
         let guard = std::iter::repeat_n(&0, GUARD_DIGITS);
         let mut remainder = 0;
         let mut digits = Vec::with_capacity(self.digits.len() + GUARD_DIGITS + 1);

@@ -28,7 +28,11 @@ fn expressions() {
         ("2x", "unknown unit `x`\nhelp: units are m mm "),
         ("3Nmm", "unknown unit `Nmm`\nhelp: write `3N*mm`"),
         ("3mm2", "unknown unit `mm2`\nhelp: write `3 * mm^2`"),
-        ("3rpm", "unknown unit `rpm`\nhelp: write `3turn/min`"),
+        (
+            "3lbs",
+            "unknown unit `lbs`\nhelp: write `3lb` for a mass, `3lbf` for a force",
+        ),
+        ("3feet", "unknown unit `feet`\nhelp: write `3ft`"),
         ("3bar", "unknown unit `bar`\nhelp: write `3 * 0.1MPa`"),
         (
             "if x { 1 }",

@@ -3,22 +3,26 @@
 // Powers of length, force, time and mass.
 const QUANTITIES = { number: [0, 0, 0, 0], length: [1, 0, 0, 0], force: [0, 1, 0, 0], time: [0, 0, 1, 0], mass: [0, 0, 0, 1], energy: [1, 1, 0, 0], power: [1, 1, -1, 0], pressure: [-2, 1, 0, 0] };
 
-// By quantity: the unit, its power of ten, a whole factor.
+// By quantity: the unit, its power of ten, a whole factor, and a whole divisor if it has one.
 const UNITS = new Map(Object.entries({
-  length: "m 0 1 mm -3 1 cm -2 1 um -6 1 \u00b5m -6 1 \u03bcm -6 1 nm -9 1 inch -4 254",
-  mass: "kg 0 1 g -3 1 mg -6 1 t 3 1",
-  force: "N 0 1 mN -3 1 kN 3 1",
+  length: "m 0 1 mm -3 1 cm -2 1 um -6 1 \u00b5m -6 1 \u03bcm -6 1 nm -9 1 inch -4 254 ft -4 3048",
+  mass: "kg 0 1 g -3 1 mg -6 1 t 3 1 lb -8 45359237",
+  force: "N 0 1 mN -3 1 kN 3 1 lbf -13 44482216152605",
   time: "s 0 1 ms -3 1 min 0 60",
   energy: "J 0 1 mJ -3 1 kJ 3 1",
   power: "W 0 1 mW -3 1 kW 3 1",
-  pressure: "Pa 0 1 kPa 3 1 MPa 6 1",
+  pressure: "Pa 0 1 kPa 3 1 MPa 6 1 psi -5 44482216152605/64516",
 }).flatMap(([quantity, list]) => list.match(/\S+ \S+ \S+/g).map((row) => {
-  const [name, ten, whole] = row.split(" ");
-  return [name, { powers: QUANTITIES[quantity], ten: Number(ten), whole: Number(whole) }];
+  const [name, ten, factor] = row.split(" ");
+  const [whole, divisor = 1] = factor.split("/").map(Number);
+  return [name, { powers: QUANTITIES[quantity], ten: Number(ten), whole, divisor }];
 })));
 
 // Angles: how many of them are half a turn.
 const ANGLES = { deg: 180, rad: Math.PI, arcmin: 10800, arcsec: 648000, turn: 0.5 };
+
+// Angular speeds: how many of them are half a turn in a second.
+const SPINS = { rpm: 30 };
 
 const CALLS = {
   sqrt: { of: Math.sqrt, count: 1 }, abs: { of: Math.abs, count: 1 }, min: { of: Math.min, count: 2 }, max: { of: Math.max, count: 2 }, hypot: { of: Math.hypot, count: 2 },
@@ -118,11 +122,12 @@ function readTyped(text, length) {
   const measured = (number, word) => {
     const power = Number(next("\\^\\s*-?\\d+")?.slice(1) ?? 1);
     if (Object.hasOwn(ANGLES, word)) return { ...PLAIN, x: word === "rad" ? Number(number) : (Number(number) * Math.PI) / ANGLES[word], angle: true, bare: false };
-    const unit = UNITS.get(word) ?? refuse(`"${word}" is no unit; units are ${[...UNITS.keys(), ...Object.keys(ANGLES)].join(" ")}`);
+    if (Object.hasOwn(SPINS, word)) return { powers: [0, 0, -1, 0], x: (Number(number) * Math.PI) / SPINS[word], angle: true, bare: false };
+    const unit = UNITS.get(word) ?? refuse(`"${word}" is no unit; units are ${[...UNITS.keys(), ...Object.keys(ANGLES), ...Object.keys(SPINS)].join(" ")}`);
     const powers = unit.powers.map((own) => own * power);
     const ten = power * (unit.ten - unit.powers[0] * length.ten);
     const [above, below] = power > 0 ? [power, 0] : [0, -power];
-    const wholes = unit === length ? 1 : unit.whole ** below * length.whole ** powers[0];
+    const wholes = unit === length ? 1 : unit.whole ** below * unit.divisor ** power * length.whole ** powers[0];
     return { powers, angle: false, bare: false, x: scaledExactly(number, unit === length ? 1 : unit.whole ** above, ten) / wholes };
   };
   const own = sum();

@@ -32,6 +32,7 @@ fn mechanism(case: &Case) -> Mechanism {
     let checked = Checked {
         name: Some("Generated".to_owned()),
         unit: Some(case.subject.unit.clone()),
+        out_of_range: None,
         messages: Vec::new(),
         warnings: Vec::new(),
     };

@@ -1,0 +1,148 @@
+//! Ranges that are refused: the message, and the largest box within them that works.
+
+use linkage_core::numeric::largest_box::largest_box;
+use linkage_core::range_check::rounded_inwards;
+
+use crate::algebra::Nominal;
+use crate::diagnostic::{OriginId, Reporter};
+use crate::message_format::MessageFormat;
+use crate::model::Mechanism;
+
+/// Lines along each of so many inputs with a range, one more than the index: some thousand nodes in
+/// all.
+const LINES: [usize; 4] = [129, 49, 13, 7];
+
+/// The advice where links do not reach each other.
+pub(super) const OR_LENGTHS: &str =
+    ", or change the lengths so that the links reach each other all the way";
+
+/// The refusal of declared ranges.
+#[derive(Clone, Debug)]
+pub(crate) struct RefusedRange {
+    /// The words at fault.
+    pub(super) origins: [OriginId; 2],
+    pub(super) fact: String,
+    /// The advice if it is not known how far the ranges can be.
+    pub(super) narrower: &'static str,
+    /// Other advice, with a comma in front if there is a first one.
+    pub(super) otherwise: String,
+}
+
+impl RefusedRange {
+    /// Reports it; `works` are narrower ranges that work, if they are known.
+    pub(super) fn report(
+        self,
+        mechanism: &Mechanism,
+        works: Option<&Nominal>,
+        reporter: &mut Reporter,
+    ) {
+        let Self {
+            origins,
+            fact,
+            narrower,
+            otherwise,
+        } = self;
+        let help = match works {
+            Some(nominal) if narrower.is_empty() => {
+                format!("{otherwise}, or write {}", ranges(mechanism, nominal))
+            }
+            Some(nominal) => format!("write {}{otherwise}", ranges(mechanism, nominal)),
+            None => format!("{narrower}{otherwise}"),
+        };
+        reporter.error_between(origins, format!("{fact}\nhelp: {help}"));
+    }
+}
+
+/// `` `in 231mm..289mm` for `left` and `in 40deg..60deg` for `phi` ``
+fn ranges(mechanism: &Mechanism, nominal: &Nominal) -> String {
+    let words = MessageFormat::new(mechanism);
+    let pairs = mechanism.inputs.iter().zip(&nominal.ranges);
+    let each = pairs.filter_map(|(input, range)| {
+        let (low, high) = (*range)?;
+        let [low, high] = [low, high].map(|end| words.scalar(input.dimension, end));
+        Some(format!("`in {low}..{high}` for `{}`", input.name))
+    });
+    let each: Vec<String> = each.collect();
+    match &each[..] {
+        [one] => format!("{one}, the largest range that works"),
+        several => format!("{}, the largest box that works", several.join(" and ")),
+    }
+}
+
+/// Nodes all over the ranges of some inputs, with a line through the reference along each.
+pub(super) struct RangeSurvey<'a> {
+    inputs: &'a [usize],
+    pub(super) lines: Vec<Vec<f64>>,
+    /// The node of the reference.
+    pub(super) start: Vec<usize>,
+}
+
+impl<'a> RangeSurvey<'a> {
+    /// The survey of the declared ranges of these inputs. `None` if none has a range or too many
+    /// have one.
+    pub(super) fn new(nominal: &Nominal, inputs: &'a [usize]) -> Option<Self> {
+        let declared = inputs.iter().filter(|&&k| nominal.ranges[k].is_some());
+        let count = *LINES.get(declared.count().checked_sub(1)?)?;
+        let mut survey = Self {
+            inputs,
+            lines: Vec::new(),
+            start: Vec::new(),
+        };
+        for &input in inputs {
+            let at = nominal.inputs[input];
+            let (low, high) = nominal.ranges[input].unwrap_or((at, at));
+            if !(low <= at && at <= high) {
+                return None;
+            }
+            let steps = |length: f64| match high - low {
+                0.0 => 0,
+                all => ((count - 1) as f64 * length / all).ceil() as usize,
+            };
+            let (below, above) = (steps(at - low), steps(high - at));
+            let down = (0..below).map(|k| low + (at - low) * k as f64 / below as f64);
+            let up = (1..=above).map(|k| at + (high - at) * k as f64 / above as f64);
+            survey.lines.push(down.chain([at]).chain(up).collect());
+            survey.start.push(below);
+        }
+        Some(survey)
+    }
+
+    /// Returns all inputs of the mechanism at each node, the last input of the survey changing
+    /// fastest.
+    pub(super) fn nodes(&self, nominal: &Nominal) -> Vec<Vec<f64>> {
+        let mut nodes = vec![nominal.inputs.clone()];
+        for (&input, places) in self.inputs.iter().zip(&self.lines) {
+            let longer = nodes.iter().flat_map(|node| {
+                places.iter().map(move |&x| {
+                    let mut node = node.clone();
+                    node[input] = x;
+                    node
+                })
+            });
+            nodes = longer.collect();
+        }
+        nodes
+    }
+
+    /// The same mechanism with the ranges of the largest box of nodes that work, rounded inwards.
+    pub(super) fn narrowed(
+        &self,
+        mechanism: &Mechanism,
+        nominal: &Nominal,
+        works: &[bool],
+    ) -> Option<Nominal> {
+        let found = largest_box(&self.lines, &self.start, works)?;
+        let mut narrower = nominal.clone();
+        let sides = self.inputs.iter().zip(&self.lines).zip(found);
+        for ((&input, places), [first, last]) in sides {
+            if nominal.ranges[input].is_some() {
+                let at = nominal.inputs[input];
+                let is_angle = mechanism.inputs[input].dimension.half_lengths == 0;
+                let reach = [places[first], places[last]];
+                let (ends, _) = rounded_inwards(reach, at, [at, at], is_angle);
+                narrower.ranges[input] = Some(ends.into());
+            }
+        }
+        Some(narrower)
+    }
+}
