@@ -21,6 +21,7 @@ mod output;
 mod page;
 mod range;
 mod replaced;
+mod robot;
 mod running_input;
 mod rust;
 mod st;
@@ -70,6 +71,10 @@ enum Command {
     Rust(rust::Options),
     /// Structured text for programmable controllers
     St(st::Options),
+    /// A robot description for ROS: bodies and joints, the passive ones as `mimic`
+    Urdf(robot::UrdfOptions),
+    /// A model for MuJoCo: bodies and joints, loops as constraints or as polynomials
+    Mjcf(robot::MjcfOptions),
 }
 
 /// Runs the command in the arguments of the process: exit status 0, 1 for bad input, 2 for wrong
@@ -97,6 +102,8 @@ pub fn run() -> ExitCode {
         Command::Js(options) => js::run(options),
         Command::Rust(options) => rust::run(options),
         Command::St(options) => st::run(options),
+        Command::Urdf(options) => robot::write_urdf(options),
+        Command::Mjcf(options) => robot::write_mjcf(options),
     };
     match result {
         Ok(()) => ExitCode::SUCCESS,

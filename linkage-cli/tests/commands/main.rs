@@ -17,6 +17,7 @@ mod numbers;
 mod pages;
 mod quoted;
 mod ranges;
+mod robot;
 mod rust;
 mod st;
 mod start;
