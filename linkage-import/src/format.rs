@@ -57,15 +57,38 @@ impl Format {
         Self::ALL.into_iter().find(|format| format.name() == name)
     }
 
-    /// Returns the format of a file by its name and its first bytes.
-    pub(crate) fn detected(_content: &[u8], name: &str) -> Result<Self, ImportError> {
+    /// Returns the format of a file by its name, or else by its first bytes.
+    pub(crate) fn detected(content: &[u8], name: &str) -> Result<Self, ImportError> {
+        if content.is_empty() && name.contains('?') {
+            return Ok(Self::Pmks);
+        }
         let extension = name.rsplit_once('.').map_or("", |parts| parts.1);
         match &extension.to_ascii_lowercase()[..] {
-            "linkage2" => Ok(Self::Linkage),
-            "csv" => Ok(Self::JointTable),
-            _ => Err(ImportError::new(
-                "the format of the file is not known\nhelp: give it with `--format`",
-            )),
+            "linkage2" => return Ok(Self::Linkage),
+            "csv" | "tsv" => return Ok(Self::JointTable),
+            _ => {}
+        }
+        let start = &content[..content.len().min(LOOKED_AT)];
+        let start = String::from_utf8_lossy(start);
+        let start = start.trim_start_matches('\u{feff}').trim_start();
+        if start.contains("<linkage2") {
+            Ok(Self::Linkage)
+        } else if start.contains("pmksplus.com/?") {
+            Ok(Self::Pmks)
+        } else if start.contains("M[") && start.contains("J[") {
+            Ok(Self::Pyslvs)
+        } else if start.starts_with('{') && start.contains("joints") {
+            Ok(Self::Pylinkage)
+        } else if start.starts_with("name,") {
+            Ok(Self::JointTable)
+        } else {
+            let names = Self::ALL.map(Self::name).join(", ");
+            Err(ImportError::new(format!(
+                "the format of the file is not known\nhelp: name it with `--format`: {names}"
+            )))
         }
     }
 }
+
+/// The bytes at the start of a file that tell its format.
+const LOOKED_AT: usize = 4096;

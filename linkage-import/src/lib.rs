@@ -4,9 +4,24 @@
 //! linkage. Each length has a comment with the band in which the rounding of the file leaves it.
 //! Everything that could not be taken is a comment of the text and a warning.
 
+mod choose;
+mod document;
 mod error;
 mod format;
+mod joint_table;
+mod linkage2;
+mod names;
+mod number;
 mod options;
+mod pmks;
+mod pylinkage;
+mod pyslvs;
+mod reach;
+mod tidy;
+mod writer;
+mod xml;
+
+use document::Document;
 
 pub use error::ImportError;
 pub use format::Format;
@@ -35,11 +50,36 @@ pub fn import(content: &[u8], name: &str, options: &Options) -> Result<Import, I
         Some(format) => format,
         None => Format::detected(content, name)?,
     };
-    match format {
-        Format::Linkage
-        | Format::Pmks
-        | Format::Pyslvs
-        | Format::Pylinkage
-        | Format::JointTable => Err(ImportError::new("this format is not read yet")),
-    }
+    let document = match format {
+        Format::Linkage => linkage2::read(content)?,
+        Format::Pmks => pmks::read(content, name)?,
+        Format::Pyslvs => pyslvs::read(content)?,
+        Format::Pylinkage => pylinkage::read(content)?,
+        Format::JointTable => joint_table::read(content)?,
+    };
+    written(document, name, options)
+}
+
+/// Writes the mechanism of a drawing.
+fn written(mut document: Document, name: &str, options: &Options) -> Result<Import, ImportError> {
+    document.check()?;
+    tidy::tidy(&mut document);
+    choose::named(&mut document, &options.inputs)?;
+    choose::missing(&mut document);
+    let is_address = name.contains("://");
+    let file = name.rsplit(['/', '\\']).next().unwrap_or_default();
+    let stem = file.split_once('.').map_or(file, |parts| parts.0);
+    let called = match &options.mechanism {
+        Some(mechanism) => mechanism,
+        None if !document.name.trim().is_empty() => &document.name,
+        None if is_address => "drawing",
+        None => stem,
+    };
+    let type_name = names::type_name(called);
+    let file = if is_address { "an address" } else { file };
+    let text = writer::text(&mut document, &type_name, file);
+    Ok(Import {
+        text,
+        warnings: document.warnings,
+    })
 }

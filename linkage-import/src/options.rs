@@ -9,4 +9,7 @@ pub struct Options {
     pub format: Option<Format>,
     /// The name of the mechanism, otherwise from the name of the file.
     pub mechanism: Option<String>,
+    /// Inputs: a pivot and another joint of the link that turns, `"p0,p1"`. They replace those of
+    /// the file.
+    pub inputs: Vec<String>,
 }

@@ -27,6 +27,9 @@ pub(super) struct Options {
     /// The name of the mechanism, otherwise from the name of the file
     #[arg(long, value_name = "NAME")]
     name: Option<String>,
+    /// An input instead of those of the file: a pivot and another joint of the link that turns
+    #[arg(long, value_name = "PIVOT,JOINT")]
+    input: Vec<String>,
 }
 
 /// Writes the mechanism, and prints each warning.
@@ -35,6 +38,7 @@ pub(super) fn run(options: &Options) -> Result<(), Failure> {
     let choices = linkage_import::Options {
         format,
         mechanism: options.name.clone(),
+        inputs: options.input.clone(),
     };
     let content = content(&options.file)?;
     let imported = import(&content, &options.file, &choices);
