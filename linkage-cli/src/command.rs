@@ -14,6 +14,7 @@ mod check;
 mod choose;
 mod declaration;
 mod hold;
+mod import;
 mod js;
 mod memory;
 mod new;
@@ -43,6 +44,8 @@ struct Arguments {
 enum Command {
     /// Writes a commented mechanism to start from
     New(new::Options),
+    /// Turns a file of another program into a mechanism, with joints and links
+    Import(import::Options),
     /// Tells all mistakes, then structure, assemblies, ranges and operation counts
     Check {
         /// Files with mechanisms
@@ -93,6 +96,7 @@ pub fn run() -> ExitCode {
             table::run(options)
         }
         Command::New(options) => new::run(options),
+        Command::Import(options) => import::run(options),
         Command::Page(options) => page::run(options),
         Command::Tolerance(options) => tolerance::run(options),
         Command::Hold(options) => hold::run(options),

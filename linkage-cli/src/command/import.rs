@@ -1,0 +1,87 @@
+//! `linkage import`: a file of another program as a mechanism.
+
+use std::fs;
+use std::io::Read;
+use std::path::{Path, PathBuf};
+
+use clap::Args;
+use linkage_import::{Format, Import, import};
+
+use super::output::put;
+use crate::failure::{Failure, listed};
+
+/// The largest file that is read, in bytes: a mechanism of thousands of joints is smaller.
+const MOST_BYTES: u64 = 16 << 20;
+
+/// Options of the command.
+#[derive(Debug, Args)]
+pub(super) struct Options {
+    /// The file of another program, `-` for the standard input, or an address
+    file: String,
+    /// The file for the mechanism; without it the mechanism is printed
+    #[arg(short, long, value_name = "FILE")]
+    output: Option<PathBuf>,
+    /// The format, if the name does not decide it: `linkage2`, `pmks`, `pyslvs`, `pylinkage`, `csv`
+    #[arg(long, value_name = "FORMAT")]
+    format: Option<String>,
+    /// The name of the mechanism, otherwise from the name of the file
+    #[arg(long, value_name = "NAME")]
+    name: Option<String>,
+    /// An input instead of those of the file: a pivot and another joint of the link that turns
+    #[arg(long, value_name = "PIVOT,JOINT")]
+    input: Vec<String>,
+}
+
+/// Writes the mechanism, and prints each warning.
+pub(super) fn run(options: &Options) -> Result<(), Failure> {
+    let format = options.format.as_deref().map(format_named).transpose()?;
+    let choices = linkage_import::Options {
+        format,
+        mechanism: options.name.clone(),
+        inputs: options.input.clone(),
+    };
+    let content = content(&options.file)?;
+    let imported = import(&content, &options.file, &choices);
+    let Import { text, warnings } = imported.map_err(|error| Failure::Told(error.to_string()))?;
+    put(options.output.as_deref(), Path::new(&options.file), |out| {
+        out.write_all(text.as_bytes())
+    })?;
+    for warning in warnings {
+        eprintln!("warning: {warning}");
+    }
+    Ok(())
+}
+
+fn format_named(name: &str) -> Result<Format, Failure> {
+    Format::named(name).ok_or_else(|| {
+        let names = Format::ALL.iter().map(|format| format.name());
+        Failure::Told(format!(
+            "there is no format `{name}`; there are {}",
+            listed(names)
+        ))
+    })
+}
+
+/// Reads a file or the standard input. An address has no content.
+fn content(file: &str) -> Result<Vec<u8>, Failure> {
+    if file.contains("://") {
+        return Ok(Vec::new());
+    }
+    let mut content = Vec::new();
+    let path = Path::new(file);
+    let read = if file == "-" {
+        std::io::stdin()
+            .lock()
+            .take(MOST_BYTES)
+            .read_to_end(&mut content)
+    } else {
+        fs::File::open(path).and_then(|opened| opened.take(MOST_BYTES).read_to_end(&mut content))
+    };
+    read.map_err(|error| Failure::file("read", path, &error))?;
+    if content.len() as u64 == MOST_BYTES {
+        return Err(Failure::Told(format!(
+            "`{file}` has more than {MOST_BYTES} bytes"
+        )));
+    }
+    Ok(content)
+}

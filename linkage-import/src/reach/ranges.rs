@@ -1,0 +1,207 @@
+//! Ranges of inputs in which Newton steps from the drawing keep all links joined.
+
+use crate::document::{Document, InputKind};
+
+use super::elimination::solve;
+use super::{Pose, System};
+
+/// A step of a crank in radians, and of a length as a part of the size.
+const ANGLE_STEP: f64 = std::f64::consts::TAU / 180.0;
+const LENGTH_STEP: f64 = 0.01;
+/// Steps are at least this part of the longest ones.
+const SHORTEST: f64 = 64.0;
+/// A length without bounds in the file moves by at most this part of the size.
+const LONGEST: f64 = 0.5;
+
+const MOST_ITERATIONS: usize = 12;
+const SMALL_ERROR: f64 = 1e-11;
+/// A body that moves further in a step is in another assembly.
+const LARGEST_MOVE: f64 = 0.3;
+/// Near dead points the pivots get small.
+const SMALLEST_PIVOT: f64 = 1e-5;
+
+/// A range is given up to a dead point but for this part of it.
+const MARGIN: f64 = 0.03;
+
+/// The parts of the ranges of single inputs that boxes of several inputs have.
+const BOXES: [f64; 8] = [1.0, 0.7, 0.5, 0.35, 0.25, 0.15, 0.1, 0.05];
+/// Numbers of values of an input in the test of a box.
+const BOX_VALUES: usize = 9;
+
+/// Returns the change of each input from the drawing, from the least to the greatest, in radians
+/// or in the unit of length. Inputs that cannot move have equal bounds.
+pub(crate) fn ranges(document: &Document) -> Option<Vec<[f64; 2]>> {
+    let kinds: Vec<InputKind> = document.inputs.iter().map(|input| input.kind).collect();
+    let system = System::new(document, &kinds)?;
+    let drawn = system.drawn();
+    let rank = solve(
+        system.rows(&drawn, &vec![0.0; kinds.len()]),
+        system.unknowns(),
+    )
+    .rank;
+    if rank < system.unknowns() || kinds.is_empty() {
+        return None;
+    }
+    let walk = Walk {
+        system: &system,
+        rank,
+    };
+    let mut ranges = Vec::new();
+    for input in 0..kinds.len() {
+        ranges.push(single(&walk, document, &kinds, input));
+    }
+    if kinds.len() > 1 {
+        let fits = |part: &&f64| is_box(&walk, &scaled(&ranges, **part));
+        let part = BOXES.iter().find(fits).copied().unwrap_or(0.0);
+        ranges = scaled(&ranges, part);
+    }
+    let lengths = kinds.iter().zip(&mut ranges);
+    for (_, range) in lengths.filter(|(kind, _)| !matches!(kind, InputKind::Crank { .. })) {
+        *range = range.map(|bound| bound * system.size());
+    }
+    Some(ranges)
+}
+
+fn scaled(ranges: &[[f64; 2]], part: f64) -> Vec<[f64; 2]> {
+    let ranges = ranges.iter();
+    ranges
+        .map(|range| range.map(|bound| bound * part))
+        .collect()
+}
+
+struct Walk<'t> {
+    system: &'t System,
+    rank: usize,
+}
+
+impl Walk<'_> {
+    /// Returns the pose of other input values, which are near those of a pose.
+    fn step(&self, pose: &Pose, values: &[f64]) -> Option<Pose> {
+        let mut next = pose.clone();
+        for _ in 0..MOST_ITERATIONS {
+            let rows = self.system.rows(&next, values);
+            let error = rows
+                .iter()
+                .map(|row| row.last().copied().unwrap_or(0.0).abs());
+            let error = error.fold(0.0, f64::max);
+            let solution = solve(rows, self.system.unknowns());
+            if solution.rank < self.rank || solution.smallest_pivot < SMALLEST_PIVOT {
+                return None;
+            }
+            if error < SMALL_ERROR {
+                let moves = next.iter().zip(pose).map(|(new, old)| (new - old).abs());
+                let is_near = moves.fold(0.0, f64::max) < LARGEST_MOVE;
+                return is_near.then_some(next);
+            }
+            for (value, step) in next.iter_mut().zip(&solution.step) {
+                *value += step;
+            }
+            if next.iter().any(|value| !value.is_finite()) {
+                return None;
+            }
+        }
+        None
+    }
+
+    /// Returns the pose at the end of a straight way between values of inputs.
+    fn walk(&self, pose: &Pose, from: &[f64], to: &[f64]) -> Option<Pose> {
+        let longest = from.iter().zip(to).map(|(a, b)| (b - a).abs());
+        let steps = (longest.fold(0.0, f64::max) / (3.0 * ANGLE_STEP))
+            .ceil()
+            .max(1.0);
+        let mut pose = pose.clone();
+        for index in 1..=steps as usize {
+            let part = index as f64 / steps;
+            let values = from.iter().zip(to).map(|(a, b)| a + part * (b - a));
+            pose = self.step(&pose, &values.collect::<Vec<_>>())?;
+        }
+        Some(pose)
+    }
+}
+
+/// Returns the range of one input while the others stay.
+fn single(walk: &Walk, document: &Document, kinds: &[InputKind], input: usize) -> [f64; 2] {
+    let size = walk.system.size();
+    let (step, bounds) = match kinds[input] {
+        InputKind::Crank { .. } => (ANGLE_STEP, [-std::f64::consts::TAU, std::f64::consts::TAU]),
+        InputKind::Length { link } => {
+            let joints = &document.links[link].joints;
+            let length = document.distance(joints[0], joints[1]) / size;
+            let travel = document.inputs[input].travel;
+            let travel = travel.map(|travel| travel.map(|bound| bound / size));
+            let [low, high] = travel.unwrap_or([-LONGEST, LONGEST]);
+            (LENGTH_STEP, [low.max(-0.9 * length), high])
+        }
+        InputKind::Position { .. } => {
+            let travel = document.inputs[input].travel;
+            let travel = travel.map(|travel| travel.map(|bound| bound / size));
+            (LENGTH_STEP, travel.unwrap_or([-LONGEST, LONGEST]))
+        }
+    };
+    let reach = bounds.map(|bound| reached(walk, kinds.len(), input, bound, step));
+    let [(low, is_low_end), (high, is_high_end)] = reach;
+    if matches!(kinds[input], InputKind::Crank { .. }) && (is_low_end || is_high_end) {
+        // A whole turn in one sense is a whole turn in the other one.
+        return [-0.5 * std::f64::consts::TAU, 0.5 * std::f64::consts::TAU];
+    }
+    let margin = MARGIN * (high - low);
+    let low = if is_low_end {
+        low
+    } else {
+        (low + margin).min(0.0)
+    };
+    let high = if is_high_end {
+        high
+    } else {
+        (high - margin).max(0.0)
+    };
+    [low, high]
+}
+
+/// Walks towards a bound. Returns the last value that is reached, and true if it is the bound.
+fn reached(walk: &Walk, inputs: usize, input: usize, bound: f64, step: f64) -> (f64, bool) {
+    let mut pose = walk.system.drawn();
+    let mut last = 0.0f64;
+    let mut length = step;
+    while last.abs() < bound.abs() {
+        let next = (last.abs() + length).min(bound.abs()).copysign(bound);
+        let mut values = vec![0.0; inputs];
+        values[input] = next;
+        match walk.step(&pose, &values) {
+            Some(found) => {
+                pose = found;
+                last = next;
+                length = (2.0 * length).min(step);
+            }
+            // Near dead points steps get shorter.
+            None if length > step / SHORTEST => length *= 0.5,
+            None => return (last, false),
+        }
+    }
+    (last, true)
+}
+
+/// Returns true if a raster of a box can be reached: all pairs of two inputs, and corners of more.
+fn is_box(walk: &Walk, ranges: &[[f64; 2]]) -> bool {
+    let drawn = walk.system.drawn();
+    let zero = vec![0.0; ranges.len()];
+    if let [first, _] = ranges {
+        return (0..BOX_VALUES).all(|index| {
+            let part = index as f64 / (BOX_VALUES - 1) as f64;
+            let value = first[0] + part * (first[1] - first[0]);
+            let Some(pose) = walk.walk(&drawn, &zero, &[value, 0.0]) else {
+                return false;
+            };
+            let mut ends = ranges[1].iter();
+            ends.all(|end| walk.walk(&pose, &[value, 0.0], &[value, *end]).is_some())
+        });
+    }
+    // The first ten inputs, since corners double with each.
+    let corners = 1usize << ranges.len().min(10);
+    (0..corners).all(|corner| {
+        let values = ranges.iter().enumerate();
+        let values = values.map(|(index, range)| range[corner >> index.min(63) & 1]);
+        walk.walk(&drawn, &zero, &values.collect::<Vec<_>>())
+            .is_some()
+    })
+}
