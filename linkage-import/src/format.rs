@@ -15,16 +15,25 @@ pub enum Format {
     Pylinkage,
     /// A table of joints as CSV.
     JointTable,
+    /// Models of MuJoCo.
+    Mjcf,
+    /// Robot descriptions of ROS.
+    Urdf,
+    /// Models of Gazebo.
+    Sdf,
 }
 
 impl Format {
     /// All formats.
-    pub const ALL: [Self; 5] = [
+    pub const ALL: [Self; 8] = [
         Self::Linkage,
         Self::Pmks,
         Self::Pyslvs,
         Self::Pylinkage,
         Self::JointTable,
+        Self::Mjcf,
+        Self::Urdf,
+        Self::Sdf,
     ];
 
     /// Returns the name of the format at the command.
@@ -36,6 +45,9 @@ impl Format {
             Self::Pyslvs => "pyslvs",
             Self::Pylinkage => "pylinkage",
             Self::JointTable => "csv",
+            Self::Mjcf => "mjcf",
+            Self::Urdf => "urdf",
+            Self::Sdf => "sdf",
         }
     }
 
@@ -48,6 +60,9 @@ impl Format {
             Self::Pyslvs => "expressions `M[J[R, ...], ...]` of Pyslvs",
             Self::Pylinkage => "JSON files of pylinkage: positions, no lengths",
             Self::JointTable => "tables of joints: name, kind, x, y, links",
+            Self::Mjcf => "models of MuJoCo, with `connect`, `weld` and `joint` equalities",
+            Self::Urdf => "robot descriptions of ROS, with `mimic` or `loop_joint`",
+            Self::Sdf => "models of Gazebo, whose joints may close loops",
         }
     }
 
@@ -66,6 +81,9 @@ impl Format {
         match &extension.to_ascii_lowercase()[..] {
             "linkage2" => return Ok(Self::Linkage),
             "csv" | "tsv" => return Ok(Self::JointTable),
+            "urdf" => return Ok(Self::Urdf),
+            "sdf" => return Ok(Self::Sdf),
+            "mjcf" => return Ok(Self::Mjcf),
             _ => {}
         }
         let start = &content[..content.len().min(LOOKED_AT)];
@@ -73,6 +91,12 @@ impl Format {
         let start = start.trim_start_matches('\u{feff}').trim_start();
         if start.contains("<linkage2") {
             Ok(Self::Linkage)
+        } else if start.contains("<mujoco") {
+            Ok(Self::Mjcf)
+        } else if start.contains("<robot") {
+            Ok(Self::Urdf)
+        } else if start.contains("<sdf") {
+            Ok(Self::Sdf)
         } else if start.contains("pmksplus.com/?") {
             Ok(Self::Pmks)
         } else if start.contains("M[") && start.contains("J[") {

@@ -17,6 +17,7 @@ mod pmks;
 mod pylinkage;
 mod pyslvs;
 mod reach;
+mod robots;
 mod tidy;
 mod writer;
 mod xml;
@@ -56,6 +57,9 @@ pub fn import(content: &[u8], name: &str, options: &Options) -> Result<Import, I
         Format::Pyslvs => pyslvs::read(content)?,
         Format::Pylinkage => pylinkage::read(content)?,
         Format::JointTable => joint_table::read(content)?,
+        Format::Mjcf | Format::Urdf | Format::Sdf => {
+            return robots::import(content, format, name, options);
+        }
     };
     written(document, name, options)
 }

@@ -10,12 +10,14 @@ const DEEPEST: usize = 64;
 const MOST_NODES: usize = 100_000;
 const MOST_ATTRIBUTES: usize = 200;
 
-/// An element with its attributes and elements. Texts between elements are left out.
+/// An element with its attributes, elements and text.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct XmlElement {
     pub(crate) name: String,
     pub(crate) attributes: Vec<(String, String)>,
     pub(crate) children: Vec<XmlElement>,
+    /// Texts between its elements, one after the other.
+    pub(crate) text: String,
 }
 
 impl XmlElement {
@@ -67,6 +69,11 @@ pub(crate) fn read(text: &str) -> Result<XmlElement, ImportError> {
                 }
                 let closed = open.pop().unwrap_or_default();
                 add(&mut open, closed);
+            }
+            Event::Text(part) => {
+                if let Some(element) = open.last_mut() {
+                    element.text.push_str(&part);
+                }
             }
             Event::DocType(_) => {
                 return Err(broken(
@@ -123,6 +130,7 @@ fn element(start: &BytesStart, position: u64) -> Result<XmlElement, ImportError>
         name,
         attributes,
         children: Vec::new(),
+        text: String::new(),
     })
 }
 
