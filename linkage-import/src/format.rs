@@ -21,11 +21,13 @@ pub enum Format {
     Urdf,
     /// Models of Gazebo.
     Sdf,
+    /// Tables of the points of a wheel suspension.
+    HardPoints,
 }
 
 impl Format {
     /// All formats.
-    pub const ALL: [Self; 8] = [
+    pub const ALL: [Self; 9] = [
         Self::Linkage,
         Self::Pmks,
         Self::Pyslvs,
@@ -34,6 +36,7 @@ impl Format {
         Self::Mjcf,
         Self::Urdf,
         Self::Sdf,
+        Self::HardPoints,
     ];
 
     /// Returns the name of the format at the command.
@@ -48,6 +51,7 @@ impl Format {
             Self::Mjcf => "mjcf",
             Self::Urdf => "urdf",
             Self::Sdf => "sdf",
+            Self::HardPoints => "hard-points",
         }
     }
 
@@ -63,6 +67,7 @@ impl Format {
             Self::Mjcf => "models of MuJoCo, with `connect`, `weld` and `joint` equalities",
             Self::Urdf => "robot descriptions of ROS, with `mimic` or `loop_joint`",
             Self::Sdf => "models of Gazebo, whose joints may close loops",
+            Self::HardPoints => "points of a wheel suspension as CSV or YAML, by roles",
         }
     }
 

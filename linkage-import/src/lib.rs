@@ -8,6 +8,7 @@ mod choose;
 mod document;
 mod error;
 mod format;
+mod hard_points;
 mod joint_table;
 mod linkage2;
 mod names;
@@ -60,6 +61,7 @@ pub fn import(content: &[u8], name: &str, options: &Options) -> Result<Import, I
         Format::Mjcf | Format::Urdf | Format::Sdf => {
             return robots::import(content, format, name, options);
         }
+        Format::HardPoints => return hard_points::import(content, name, options),
     };
     written(document, name, options)
 }

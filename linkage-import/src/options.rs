@@ -12,4 +12,12 @@ pub struct Options {
     /// Inputs: a pivot and another joint of the link that turns, `"p0,p1"`. They replace those of
     /// the file.
     pub inputs: Vec<String>,
+    /// For hard points: the directions of x, y and z, `forward,left,up`.
+    pub axes: Option<String>,
+    /// For hard points: the unit of lengths, `mm`.
+    pub length: Option<String>,
+    /// For hard points: `left` or `right`.
+    pub side: Option<String>,
+    /// For hard points: roles of points with other names, `lower_ball=P3`.
+    pub roles: Vec<String>,
 }

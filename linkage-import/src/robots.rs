@@ -27,6 +27,7 @@ use crate::xml;
 use analysis::analyse;
 use chain::Chain;
 use model::Robot;
+pub(crate) use placement::{Placement, Vector, cross, difference, dot, length, normals, unit};
 use plane::Plane;
 use wording::{Sections, Wording};
 

@@ -27,9 +27,22 @@ pub(super) struct Options {
     /// The name of the mechanism, otherwise from the name of the file
     #[arg(long, value_name = "NAME")]
     name: Option<String>,
-    /// An input instead of those of the file: a pivot and another joint of the link that turns
+    /// An input instead of those of the file: a pivot and another joint of the link that turns;
+    /// of a robot the name of a joint
     #[arg(long, value_name = "PIVOT,JOINT")]
     input: Vec<String>,
+    /// For points of a suspension: the directions of x, y and z, as `forward,left,up`
+    #[arg(long, value_name = "X,Y,Z")]
+    axes: Option<String>,
+    /// For points of a suspension: their unit, `mm`, `cm`, `m` or `inch`
+    #[arg(long, value_name = "UNIT")]
+    length: Option<String>,
+    /// For points of a suspension: their side, `left` or `right`
+    #[arg(long, value_name = "SIDE")]
+    side: Option<String>,
+    /// For points of a suspension: the role of a point with another name, as `lower_ball=P3`
+    #[arg(long, value_name = "ROLE=NAME")]
+    role: Vec<String>,
 }
 
 /// Writes the mechanism, and prints each warning.
@@ -39,6 +52,10 @@ pub(super) fn run(options: &Options) -> Result<(), Failure> {
         format,
         mechanism: options.name.clone(),
         inputs: options.input.clone(),
+        axes: options.axes.clone(),
+        length: options.length.clone(),
+        side: options.side.clone(),
+        roles: options.role.clone(),
     };
     let content = content(&options.file)?;
     let imported = import(&content, &options.file, &choices);

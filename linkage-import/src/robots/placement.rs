@@ -4,7 +4,7 @@
 pub(crate) type Vector = [f64; 3];
 
 /// The axes of coordinates.
-pub(super) const AXES: [Vector; 3] = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
+pub(crate) const AXES: [Vector; 3] = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
 
 pub(crate) fn sum(a: Vector, b: Vector) -> Vector {
     [a[0] + b[0], a[1] + b[1], a[2] + b[2]]
@@ -41,7 +41,7 @@ pub(crate) fn unit(a: Vector) -> Option<Vector> {
 }
 
 /// Two unit vectors across a unit vector; the three are right-handed.
-pub(super) fn normals(axis: Vector) -> [Vector; 2] {
+pub(crate) fn normals(axis: Vector) -> [Vector; 2] {
     let size = axis.map(f64::abs);
     let least = (0..3).min_by(|i, j| size[*i].total_cmp(&size[*j]));
     let first = unit(cross(AXES[least.unwrap_or_default()], axis)).unwrap_or(AXES[0]);
@@ -50,20 +50,20 @@ pub(super) fn normals(axis: Vector) -> [Vector; 2] {
 
 /// A position: the axes of a frame as columns, and its origin.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Placement {
-    pub(super) axes: [Vector; 3],
-    pub(super) origin: Vector,
+pub(crate) struct Placement {
+    pub(crate) axes: [Vector; 3],
+    pub(crate) origin: Vector,
 }
 
 /// The fixed frame.
-pub(super) const FIXED: Placement = Placement {
+pub(crate) const FIXED: Placement = Placement {
     axes: AXES,
     origin: [0.0; 3],
 };
 
 impl Placement {
     /// A shift and a rotation about a unit vector.
-    pub(super) fn turned(axis: Vector, angle: f64) -> Self {
+    pub(crate) fn turned(axis: Vector, angle: f64) -> Self {
         let (sine, cosine) = angle.sin_cos();
         let axes = AXES.map(|a| {
             let along = scaled(axis, dot(axis, a) * (1.0 - cosine));
@@ -75,12 +75,12 @@ impl Placement {
         }
     }
 
-    pub(super) fn shifted(origin: Vector) -> Self {
+    pub(crate) fn shifted(origin: Vector) -> Self {
         Self { origin, ..FIXED }
     }
 
     /// A direction of the frame in fixed axes.
-    pub(super) fn direction(&self, local: Vector) -> Vector {
+    pub(crate) fn direction(&self, local: Vector) -> Vector {
         let [x, y, z] = self.axes;
         sum(
             sum(scaled(x, local[0]), scaled(y, local[1])),
@@ -89,12 +89,12 @@ impl Placement {
     }
 
     /// A point of the frame in fixed coordinates.
-    pub(super) fn point(&self, local: Vector) -> Vector {
+    pub(crate) fn point(&self, local: Vector) -> Vector {
         sum(self.origin, self.direction(local))
     }
 
     /// A position within this frame.
-    pub(super) fn then(&self, inner: &Self) -> Self {
+    pub(crate) fn then(&self, inner: &Self) -> Self {
         Self {
             axes: inner.axes.map(|axis| self.direction(axis)),
             origin: self.point(inner.origin),
@@ -102,7 +102,7 @@ impl Placement {
     }
 
     /// The position in which this one is undone.
-    pub(super) fn inverse(&self) -> Self {
+    pub(crate) fn inverse(&self) -> Self {
         let row = |k: usize| [self.axes[0][k], self.axes[1][k], self.axes[2][k]];
         let axes = [row(0), row(1), row(2)];
         let back = Self {
@@ -116,7 +116,7 @@ impl Placement {
     }
 
     /// Roll, pitch and yaw: about the fixed x, y and z axis, one after the other.
-    pub(super) fn roll_pitch_yaw(origin: Vector, angles: Vector) -> Self {
+    pub(crate) fn roll_pitch_yaw(origin: Vector, angles: Vector) -> Self {
         let [x, y, z] = [0, 1, 2].map(|k| Self::turned(AXES[k], angles[k]));
         Self {
             origin,
@@ -125,7 +125,7 @@ impl Placement {
     }
 
     /// A quaternion, its real part first.
-    pub(super) fn quaternion(origin: Vector, [w, x, y, z]: [f64; 4]) -> Option<Self> {
+    pub(crate) fn quaternion(origin: Vector, [w, x, y, z]: [f64; 4]) -> Option<Self> {
         let axis = unit([x, y, z]);
         let size = length([x, y, z]);
         if !(w.hypot(size) > 1e-10) {
@@ -139,7 +139,7 @@ impl Placement {
     }
 
     /// A symmetric tensor of the frame in fixed axes.
-    pub(super) fn tensor(&self, local: &[Vector; 3]) -> [Vector; 3] {
+    pub(crate) fn tensor(&self, local: &[Vector; 3]) -> [Vector; 3] {
         let inner = |axis: Vector| {
             let components = [0, 1, 2].map(|k| dot(self.axes[k], axis));
             let product = [0, 1, 2].map(|k| dot(local[k], components));
