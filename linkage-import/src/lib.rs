@@ -66,10 +66,23 @@ pub fn import(content: &[u8], name: &str, options: &Options) -> Result<Import, I
     written(document, name, options)
 }
 
+/// The message about a drawing of which no link is left, with all that was found out.
+fn nothing_moves(document: &Document) -> ImportError {
+    let facts = document.warnings.iter().chain(&document.remarks);
+    let facts: Vec<&str> = facts.map(String::as_str).take(5).collect();
+    ImportError::new(format!(
+        "no link of the drawing moves\nhelp: {}",
+        facts.join("; ")
+    ))
+}
+
 /// Writes the mechanism of a drawing.
 fn written(mut document: Document, name: &str, options: &Options) -> Result<Import, ImportError> {
     document.check()?;
     tidy::tidy(&mut document);
+    if document.links.len() == 1 {
+        return Err(nothing_moves(&document));
+    }
     choose::named(&mut document, &options.inputs)?;
     choose::missing(&mut document);
     let is_address = name.contains("://");

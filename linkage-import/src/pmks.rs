@@ -33,7 +33,13 @@ fn query(text: &str) -> Result<String, ImportError> {
     let text = text.trim();
     // In a longer text, the address is that of the page.
     let from = text.find("pmksplus.com").unwrap_or(0);
-    let query = text[from..].split_once('?').map_or(text, |parts| parts.1);
+    let page = &text[from..];
+    let query = match page.split_once('?') {
+        Some((_, query)) => query,
+        // The query alone.
+        None if !text.contains("://") => page,
+        None => "",
+    };
     let is_end = |letter: char| letter.is_whitespace() || "\"'<>)#&".contains(letter);
     let query = query.split(is_end).next().unwrap_or_default();
     if query.is_empty() {

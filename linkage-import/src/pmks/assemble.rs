@@ -268,8 +268,8 @@ fn masses(assembly: &mut Assembly) {
         }
         let [mass, inertia] = match assembly.document.unit {
             LengthUnit::Inch => [
-                format!("{}kg", plain(link.mass * POUND)),
-                format!("{}kg*cm^2", plain(link.inertia * POUND_INCHES)),
+                format!("{}kg", converted(link.mass * POUND)),
+                format!("{}kg*cm^2", converted(link.inertia * POUND_INCHES)),
             ],
             LengthUnit::Metre => [
                 format!("{}kg", plain(link.mass)),
@@ -294,6 +294,11 @@ fn masses(assembly: &mut Assembly) {
             "{new} links have no mass or the mass 1 and the inertia 1 of new links: left out."
         ));
     }
+}
+
+/// A number without the noise of a conversion.
+fn converted(value: f64) -> String {
+    plain(format!("{value:.9}").parse().unwrap_or(value))
 }
 
 /// A pound in kilograms, and a pound times a square inch in kilograms times square centimetres.

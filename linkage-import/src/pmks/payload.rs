@@ -80,7 +80,9 @@ pub(super) fn read(body: &str) -> Result<Drawing, ImportError> {
     }
     // The object that is selected comes first, then the tail.
     let _selected = sections.next();
-    for entry in sections.flat_map(|section| section.split(',')) {
+    // Numbers of the tail have points.
+    let rest: Vec<&str> = sections.collect();
+    for entry in rest.join(".").split(',') {
         tail(entry, &mut drawing)?;
     }
     if drawing.joints.is_empty() {

@@ -4,15 +4,12 @@
 pub(super) fn as_json(text: &str) -> String {
     let mut json = String::with_capacity(text.len() + 16);
     let mut letters = text.chars().peekable();
-    let mut word = String::new();
     while let Some(letter) = letters.next() {
-        if letter.is_ascii_alphabetic() || letter == '_' {
-            word.push(letter);
-            if letters
-                .peek()
-                .is_some_and(|next| next.is_ascii_alphanumeric() || *next == '_')
-            {
-                continue;
+        if letter.is_ascii_alphanumeric() || letter == '_' {
+            let mut word = letter.to_string();
+            let is_in_word = |next: &char| next.is_ascii_alphanumeric() || "_.".contains(*next);
+            while let Some(next) = letters.next_if(is_in_word) {
+                word.push(next);
             }
             json.push_str(match &word[..] {
                 "None" => "null",
@@ -20,7 +17,6 @@ pub(super) fn as_json(text: &str) -> String {
                 "False" => "false",
                 other => other,
             });
-            word.clear();
             continue;
         }
         match letter {

@@ -10,6 +10,8 @@ pub(crate) struct Solution {
     pub(crate) rank: usize,
     /// The smallest pivot as a part of the largest one.
     pub(crate) smallest_pivot: f64,
+    /// True if the determinant is negative: it changes where assemblies meet.
+    pub(crate) is_negative: bool,
 }
 
 /// Solves rows of coefficients, each with its right side at the end.
@@ -18,6 +20,7 @@ pub(crate) fn solve(mut rows: Vec<Vec<f64>>, unknowns: usize) -> Solution {
     let mut rank = 0;
     let mut largest = 0.0f64;
     let mut smallest_pivot = 1.0f64;
+    let mut is_negative = false;
     while rank < rows.len().min(unknowns) {
         // The largest element that is left, so that the rank is seen in the pivots.
         let mut pivot = (rank, rank, 0.0f64);
@@ -34,6 +37,8 @@ pub(crate) fn solve(mut rows: Vec<Vec<f64>>, unknowns: usize) -> Solution {
             break;
         }
         smallest_pivot = smallest_pivot.min(pivot.2 / largest);
+        is_negative ^= (pivot.0 != rank) ^ (pivot.1 != rank);
+        is_negative ^= rows[pivot.0][columns[pivot.1]] < 0.0;
         rows.swap(rank, pivot.0);
         columns.swap(rank, pivot.1);
         let column = columns[rank];
@@ -61,5 +66,6 @@ pub(crate) fn solve(mut rows: Vec<Vec<f64>>, unknowns: usize) -> Solution {
         step,
         rank,
         smallest_pivot,
+        is_negative,
     }
 }

@@ -34,17 +34,15 @@ pub(crate) fn ranges(document: &Document) -> Option<Vec<[f64; 2]>> {
     let kinds: Vec<InputKind> = document.inputs.iter().map(|input| input.kind).collect();
     let system = System::new(document, &kinds)?;
     let drawn = system.drawn();
-    let rank = solve(
-        system.rows(&drawn, &vec![0.0; kinds.len()]),
-        system.unknowns(),
-    )
-    .rank;
-    if rank < system.unknowns() || kinds.is_empty() {
+    let rows = system.rows(&drawn, &vec![0.0; kinds.len()]);
+    let solution = solve(rows, system.unknowns());
+    if solution.rank < system.unknowns() || kinds.is_empty() {
         return None;
     }
     let walk = Walk {
         system: &system,
-        rank,
+        rank: solution.rank,
+        is_negative: solution.is_negative,
     };
     let mut ranges = Vec::new();
     for input in 0..kinds.len() {
@@ -72,6 +70,8 @@ fn scaled(ranges: &[[f64; 2]], part: f64) -> Vec<[f64; 2]> {
 struct Walk<'t> {
     system: &'t System,
     rank: usize,
+    /// The sign of the determinant in the drawing.
+    is_negative: bool,
 }
 
 impl Walk<'_> {
@@ -84,6 +84,7 @@ impl Walk<'_> {
                 .iter()
                 .map(|row| row.last().copied().unwrap_or(0.0).abs());
             let error = error.fold(0.0, f64::max);
+            let is_square = rows.len() == self.system.unknowns();
             let solution = solve(rows, self.system.unknowns());
             if solution.rank < self.rank || solution.smallest_pivot < SMALLEST_PIVOT {
                 return None;
@@ -91,7 +92,8 @@ impl Walk<'_> {
             if error < SMALL_ERROR {
                 let moves = next.iter().zip(pose).map(|(new, old)| (new - old).abs());
                 let is_near = moves.fold(0.0, f64::max) < LARGEST_MOVE;
-                return is_near.then_some(next);
+                let is_same = !is_square || solution.is_negative == self.is_negative;
+                return (is_near && is_same).then_some(next);
             }
             for (value, step) in next.iter_mut().zip(&solution.step) {
                 *value += step;
@@ -171,7 +173,6 @@ fn reached(walk: &Walk, inputs: usize, input: usize, bound: f64, step: f64) -> (
             Some(found) => {
                 pose = found;
                 last = next;
-                length = (2.0 * length).min(step);
             }
             // Near dead points steps get shorter.
             None if length > step / SHORTEST => length *= 0.5,

@@ -112,7 +112,7 @@ fn crank(
     let (low, high) = match range {
         Some(range) if turn(range) => {
             if reference < 0.0 {
-                reference += 360.0;
+                reference = rounded(reference + 360.0, 1e-12);
             }
             (0.0, 360.0)
         }
@@ -213,9 +213,9 @@ fn shown_speed(speed: &str) -> String {
 /// Rounds bounds inwards to a multiple of a quantum, but never past the value of the drawing.
 fn inside(low: f64, high: f64, value: f64, quantum: f64) -> (f64, f64) {
     let scale = 1.0 / quantum;
-    let low = ((low * scale).ceil() / scale).min(value);
-    let high = ((high * scale).floor() / scale).max(value);
-    (rounded(low, quantum * 1e-6), rounded(high, quantum * 1e-6))
+    let [low, high] = [(low * scale).ceil() / scale, (high * scale).floor() / scale];
+    let [low, high] = [low, high].map(|bound| rounded(bound, quantum * 1e-6));
+    (low.min(value), high.max(value))
 }
 
 /// Rounds to a power of ten.
