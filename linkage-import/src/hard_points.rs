@@ -2,35 +2,43 @@
 //! user, because the tables do not have them.
 
 mod axes;
-mod carrier;
+mod point_table;
 mod rocker;
 mod roles;
 mod suspension;
-mod table;
+mod wheel_travel;
 
 use std::fmt::Write;
 
-use crate::Import;
 use crate::error::ImportError;
 use crate::names::{in_comment, shown, type_name};
 use crate::options::Options;
 use axes::Meaning;
 use suspension::Suspension;
 
-/// Reads a table and writes it as a mechanism.
-pub(crate) fn import(content: &[u8], file: &str, options: &Options) -> Result<Import, ImportError> {
+/// Reads a table and writes it as a mechanism. Returns the text and the warnings.
+pub(crate) fn import(
+    content: &[u8],
+    file: &str,
+    options: &Options,
+) -> Result<(String, Vec<String>), ImportError> {
     let text = std::str::from_utf8(content)
         .map_err(|_| ImportError::new("the file is no text in UTF-8"))?;
     let text = text.trim_start_matches('\u{feff}');
     let ending = file.rsplit_once('.').map_or("", |parts| parts.1);
-    let is_yaml = ["yaml", "yml", "json"].contains(&ending.to_ascii_lowercase().as_str())
-        || text
-            .lines()
-            .next()
-            .is_some_and(|line| line.contains(':') || line.starts_with("---"));
+    let ending = ending.to_ascii_lowercase();
+    let mut lines = text
+        .lines()
+        .filter(|line| !line.trim_start().starts_with('#'));
+    let first = lines.next().unwrap_or_default();
+    let is_yaml = match ending.as_str() {
+        "yaml" | "yml" | "json" => true,
+        "csv" | "tsv" => false,
+        _ => first.contains(':') || first.starts_with("---") || first.starts_with('{'),
+    };
     let table = match is_yaml {
-        true => table::yaml(text)?,
-        false => table::csv(text)?,
+        true => point_table::yaml(text)?,
+        false => point_table::csv(text)?,
     };
     let meaning = Meaning::of_options(options)?;
     let points = roles::points(table, &meaning, options)?;
@@ -82,7 +90,7 @@ pub(crate) fn import(content: &[u8], file: &str, options: &Options) -> Result<Im
     let text = format!(
         "{out}\n}}\n\nimpl {name} {{\n    /// Points, and what depends on the travel of the wheel.\n    pub fn motion(travel) -> Motion {{ {quantities} }}\n\n    /// The links, for the drawing.\n    pub fn shape(travel) -> Shape {{ shape: picture() }}\n}}\n"
     );
-    Ok(Import { text, warnings })
+    Ok((text, warnings))
 }
 
 /// True if a point is in the text.

@@ -59,9 +59,13 @@ pub fn import(content: &[u8], name: &str, options: &Options) -> Result<Import, I
         Format::Pylinkage => pylinkage::read(content)?,
         Format::JointTable => joint_table::read(content)?,
         Format::Mjcf | Format::Urdf | Format::Sdf => {
-            return robots::import(content, format, name, options);
+            let (text, warnings) = robots::import(content, format, name, options)?;
+            return Ok(Import { text, warnings });
         }
-        Format::HardPoints => return hard_points::import(content, name, options),
+        Format::HardPoints => {
+            let (text, warnings) = hard_points::import(content, name, options)?;
+            return Ok(Import { text, warnings });
+        }
     };
     written(document, name, options)
 }

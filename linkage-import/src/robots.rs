@@ -4,13 +4,13 @@
 //! parallel is written in the plane.
 
 mod analysis;
+mod attribute_numbers;
 mod chain;
 mod mjcf;
 mod model;
-mod numbers;
+mod motion_plane;
 mod placement;
 mod planar;
-mod plane;
 mod sdf;
 mod spatial;
 mod urdf;
@@ -18,7 +18,6 @@ mod wording;
 
 use std::fmt::Write;
 
-use crate::Import;
 use crate::error::ImportError;
 use crate::format::Format;
 use crate::names::{in_comment, shown, type_name};
@@ -27,17 +26,17 @@ use crate::xml;
 use analysis::analyse;
 use chain::Chain;
 use model::Robot;
+use motion_plane::Plane;
 pub(crate) use placement::{Placement, Vector, cross, difference, dot, length, normals, unit};
-use plane::Plane;
 use wording::{Sections, Wording};
 
-/// Reads a robot and writes it as a mechanism.
+/// Reads a robot and writes it as a mechanism. Returns the text and the warnings.
 pub(crate) fn import(
     content: &[u8],
     format: Format,
     file: &str,
     options: &Options,
-) -> Result<Import, ImportError> {
+) -> Result<(String, Vec<String>), ImportError> {
     let text = std::str::from_utf8(content)
         .map_err(|_| ImportError::new("the file is no text in UTF-8"))?;
     let root = xml::read(text)?;
@@ -77,7 +76,7 @@ pub(crate) fn import(
         chain.plane,
         &warnings,
     );
-    Ok(Import { text, warnings })
+    Ok((text, warnings))
 }
 
 /// Names what is not used.

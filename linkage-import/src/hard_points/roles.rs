@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use super::axes::Meaning;
-use super::table::{Table, word};
+use super::point_table::{Table, word};
 use crate::error::ImportError;
 use crate::names::shown;
 use crate::options::Options;

@@ -1,9 +1,9 @@
 //! The text of a suspension.
 
 use super::axes::Meaning;
-use super::carrier::{Hold, reach};
 use super::rocker::{Outer, Rocker, wishbone_axes};
 use super::roles::Points;
+use super::wheel_travel::{Hold, reach};
 use crate::error::ImportError;
 use crate::number::plain;
 use crate::robots::{Placement, Vector, difference, dot, length, normals, unit};
@@ -108,8 +108,9 @@ impl Suspension {
         let size = inner.fold(0.0, f64::max);
         let most = MOST_TRAVEL * size;
         let most = round_down(most);
-        let found = reach(&self.holds, self.centre, most, size, |place| {
-            self.rocker.is_none_or(|rocker| rocker.is_reached(place))
+        let found = reach(&self.holds, self.centre, most, size, |placement| {
+            self.rocker
+                .is_none_or(|rocker| rocker.is_reached(placement))
         });
         let drawn = Placement::shifted([0.0; 3]);
         if self.rocker.is_some_and(|rocker| !rocker.is_reached(&drawn)) {

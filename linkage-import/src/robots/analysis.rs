@@ -1,6 +1,6 @@
 //! Which joints are inputs, which equations follow from others, and how far an input goes.
 
-use super::chain::{Chain, Pose, Row};
+use super::chain::{Chain, Equation, Pose};
 use crate::error::ImportError;
 use crate::names::shown;
 
@@ -39,7 +39,7 @@ impl Basis {
             }
         }
         let after = size(&rest);
-        if !(after > RANK * before.max(RANK)) {
+        if after <= RANK * before.max(RANK) || after.is_nan() {
             return false;
         }
         rest.iter_mut().for_each(|number| *number /= after);
@@ -190,7 +190,7 @@ fn advance(chain: &Chain, analysis: &Analysis, pose: &mut Pose, input: usize, st
         let largest = correction
             .iter()
             .fold(0.0, |most: f64, x| most.max(x.abs()));
-        if !(largest < 1.0) {
+        if largest >= 1.0 || largest.is_nan() {
             return false;
         }
         chain.step(pose, &correction);
@@ -201,13 +201,13 @@ fn advance(chain: &Chain, analysis: &Analysis, pose: &mut Pose, input: usize, st
 }
 
 /// The smallest pivot of the needed equations.
-fn pivot(chain: &Chain, analysis: &Analysis, rows: &[Row]) -> f64 {
+fn pivot(chain: &Chain, analysis: &Analysis, rows: &[Equation]) -> f64 {
     solved(chain, analysis, rows).map_or(0.0, |(_, pivot)| pivot)
 }
 
 /// The step of all coordinates but the inputs that closes the needed equations, and the smallest
 /// pivot.
-fn solved(chain: &Chain, analysis: &Analysis, rows: &[Row]) -> Option<(Vec<f64>, f64)> {
+fn solved(chain: &Chain, analysis: &Analysis, rows: &[Equation]) -> Option<(Vec<f64>, f64)> {
     let free: Vec<usize> = (0..chain.coordinates.len())
         .filter(|index| {
             let coordinate = &chain.coordinates[*index];
@@ -237,7 +237,7 @@ fn solved(chain: &Chain, analysis: &Analysis, rows: &[Row]) -> Option<(Vec<f64>,
         matrix.swap(column, pivot);
         let pivot = matrix[column].clone();
         least = least.min(pivot[column].abs());
-        if !(pivot[column].abs() > 1e-9) {
+        if pivot[column].abs() <= 1e-9 || pivot[column].is_nan() {
             return None;
         }
         for row in &mut matrix[column + 1..] {

@@ -1,10 +1,10 @@
 //! The equations of a robot's loops, and their derivatives with respect to the joints.
 
-use super::model::{Closing, Closure, Motion, Robot};
+use super::model::{ClosingJoint, Closure, Motion, Robot};
+use super::motion_plane::Plane;
 use super::placement::{
     AXES, FIXED, Placement, Vector, cross, difference, dot, length, normals, scaled, sum, unit,
 };
-use super::plane::Plane;
 
 /// A rod between two balls, which has no body: the distance of two points.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -51,7 +51,7 @@ pub(super) struct Pose {
 
 /// An equation: its error, and the changes by all coordinates.
 #[derive(Clone, Debug)]
-pub(super) struct Row {
+pub(super) struct Equation {
     /// The closure that it belongs to.
     pub(super) closure: usize,
     pub(super) error: f64,
@@ -131,8 +131,8 @@ impl<'r> Chain<'r> {
             let Some(joint) = &self.robot.bodies[body].joint else {
                 continue;
             };
-            let own = self.coordinates.iter().find(|c| c.body == body);
-            if let Some(coordinate) = own.filter(|coordinate| coordinate.is_scalar) {
+            let first = self.coordinates.iter().find(|c| c.body == body);
+            if let Some(coordinate) = first.filter(|coordinate| coordinate.is_scalar) {
                 pose.joints[body] = moved(joint.at, coordinate, pose.values[body]);
             }
             pose.bodies[body] = pose.bodies[joint.parent].then(&pose.joints[body]);
@@ -213,7 +213,7 @@ impl<'r> Chain<'r> {
     }
 
     /// All equations at a position, lengths as parts of the size.
-    pub(super) fn rows(&self, pose: &Pose) -> Vec<Row> {
+    pub(super) fn rows(&self, pose: &Pose) -> Vec<Equation> {
         let mut rows = Vec::new();
         for (number, closure) in self.robot.closures.iter().enumerate() {
             match self.rods.iter().find(|rod| rod.closure == number) {
@@ -224,7 +224,7 @@ impl<'r> Chain<'r> {
         rows
     }
 
-    fn rod_row(&self, pose: &Pose, rod: &Rod) -> Row {
+    fn rod_row(&self, pose: &Pose, rod: &Rod) -> Equation {
         let [a, b] = rod.ends;
         let [at_a, at_b] = [a, b].map(|(body, at)| pose.bodies[body].point(at));
         let apart = difference(at_a, at_b);
@@ -236,7 +236,7 @@ impl<'r> Chain<'r> {
             };
             (part(a.0, at_a) - part(b.0, at_b)) / self.size
         });
-        Row {
+        Equation {
             closure: rod.closure,
             error: (length(apart) - rod.length) / self.size,
             changes: self.combined(pose, changes.collect()),
@@ -250,16 +250,22 @@ impl<'r> Chain<'r> {
                 continue;
             }
             let (leader, slope) = self.led_by(pose, coordinate.body);
-            let own = std::mem::take(&mut changes[index]);
-            let place = self.coordinates.iter().position(|c| c.body == leader);
-            if let Some(leader) = place {
-                changes[leader] += slope * own;
+            let change = std::mem::take(&mut changes[index]);
+            let led_by = self.coordinates.iter().position(|c| c.body == leader);
+            if let Some(leader) = led_by {
+                changes[leader] += slope * change;
             }
         }
         changes
     }
 
-    fn closure_rows(&self, pose: &Pose, number: usize, closure: &Closure, rows: &mut Vec<Row>) {
+    fn closure_rows(
+        &self,
+        pose: &Pose,
+        number: usize,
+        closure: &Closure,
+        rows: &mut Vec<Equation>,
+    ) {
         let [a, b] = closure.bodies;
         let at_a = pose.bodies[a].point(closure.at[0]);
         let at_b = pose.bodies[b].point(closure.at[1]);
@@ -272,17 +278,17 @@ impl<'r> Chain<'r> {
                 };
                 (part(a) - part(b)) / self.size
             });
-            rows.push(Row {
+            rows.push(Equation {
                 closure: number,
                 error: dot(apart, direction) / self.size,
                 changes: self.combined(pose, changes.collect()),
             });
         };
         match (closure.closing, self.plane) {
-            (Closing::Slide(axis), Some(plane)) => {
+            (ClosingJoint::Slide(axis), Some(plane)) => {
                 shift(pose.bodies[b].direction(cross(plane.normal, axis)));
             }
-            (Closing::Slide(axis), None) => normals(axis)
+            (ClosingJoint::Slide(axis), None) => normals(axis)
                 .into_iter()
                 .for_each(|normal| shift(pose.bodies[b].direction(normal))),
             (_, Some(plane)) => plane.axes.into_iter().for_each(shift),
@@ -296,7 +302,7 @@ impl<'r> Chain<'r> {
                 };
                 part(a) - part(b)
             });
-            rows.push(Row {
+            rows.push(Equation {
                 closure: number,
                 error,
                 changes: self.combined(pose, changes.collect()),
@@ -310,14 +316,14 @@ impl<'r> Chain<'r> {
         let relative = a.then(&b.inverse());
         let error = |axis: Vector| {
             // Half of the antisymmetric part.
-            let sum = AXES.iter().fold([0.0; 3], |total, own| {
-                sum(total, cross(*own, relative.direction(*own)))
+            let sum = AXES.iter().fold([0.0; 3], |total, near| {
+                sum(total, cross(*near, relative.direction(*near)))
             });
             0.5 * dot(sum, axis)
         };
         match (closure.closing, self.plane) {
-            (Closing::Point, _) | (Closing::Hinge(_), Some(_)) => Vec::new(),
-            (Closing::Hinge(axis), None) => {
+            (ClosingJoint::Point, _) | (ClosingJoint::Hinge(_), Some(_)) => Vec::new(),
+            (ClosingJoint::Hinge(axis), None) => {
                 let along = a.direction(axis);
                 normals(axis)
                     .map(|normal| {
@@ -326,10 +332,10 @@ impl<'r> Chain<'r> {
                     })
                     .to_vec()
             }
-            (Closing::Slide(_) | Closing::Weld, Some(plane)) => {
+            (ClosingJoint::Slide(_) | ClosingJoint::Weld, Some(plane)) => {
                 vec![(plane.normal, error(plane.normal))]
             }
-            (Closing::Slide(_) | Closing::Weld, None) => {
+            (ClosingJoint::Slide(_) | ClosingJoint::Weld, None) => {
                 AXES.map(|axis| (axis, error(axis))).to_vec()
             }
         }
@@ -366,16 +372,17 @@ fn rods(robot: &Robot) -> Vec<Rod> {
             continue;
         };
         let ends_on_rod = |other: usize| rods.iter().any(|rod| rod.body == other);
-        let own = usize::from(closure.bodies[1] == body);
-        let other = closure.bodies[1 - own];
-        if carries || closure.closing != Closing::Point || ends_on_rod(other) || other == body {
+        let near = usize::from(closure.bodies[1] == body);
+        let other = closure.bodies[1 - near];
+        if carries || closure.closing != ClosingJoint::Point || ends_on_rod(other) || other == body
+        {
             continue;
         }
         rods.push(Rod {
             body,
             closure: number,
-            ends: [(joint.parent, joint.at), (other, closure.at[1 - own])],
-            length: length(difference(closure.at[own], joint.at)),
+            ends: [(joint.parent, joint.at), (other, closure.at[1 - near])],
+            length: length(difference(closure.at[near], joint.at)),
         });
     }
     rods

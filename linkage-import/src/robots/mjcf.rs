@@ -4,19 +4,19 @@
 
 use std::collections::BTreeMap;
 
-use super::model::{Closing, Closure, Joint, Mass, Motion, Robot, joint};
-use super::numbers::{attribute, numbers};
-use super::placement::{AXES, FIXED, Placement, Vector, unit};
+use super::attribute_numbers::{attribute, numbers};
+use super::model::{ClosingJoint, Closure, Joint, Mass, Motion, Robot, joint};
+use super::placement::{AXES, FIXED, Placement, Vector};
 use super::urdf::{axis_of, follow};
 use crate::error::ImportError;
 use crate::names::shown;
 use crate::xml::XmlElement;
 
-mod settings;
+mod model_settings;
 
-use settings::Settings;
+use model_settings::Settings;
 
-/// A site: the body and the place.
+/// A site: the body and the located.
 type Sites = BTreeMap<String, (usize, Placement)>;
 
 /// What is known while bodies are read.
@@ -65,6 +65,13 @@ pub(super) fn read(root: &XmlElement) -> Result<Robot, ImportError> {
         match element.name.as_str() {
             "worldbody" => reader.content(element, world)?,
             "compiler" | "default" | "equality" | "actuator" => {}
+            "option" => {
+                reader.robot.gravity = attribute(element, "gravity")?;
+                let others = element.attributes.iter();
+                for (name, _) in others.filter(|(name, _)| name != "gravity") {
+                    reader.robot.leave_out(&format!("{name} of option"));
+                }
+            }
             "include" => return Err(included(element)),
             other => reader.robot.leave_out(other),
         }
@@ -196,7 +203,9 @@ impl<'t> Reader<'t> {
             _ => value("type").unwrap_or("hinge"),
         };
         let vector = |attribute: &str, default: Vector| match value(attribute) {
-            Some(text) => super::numbers::exactly(text, &format!("`{attribute}` of a joint")),
+            Some(text) => {
+                super::attribute_numbers::exactly(text, &format!("`{attribute}` of a joint"))
+            }
             None => Ok(default),
         };
         let axis = || axis_of(within.at.direction(vector("axis", AXES[2])?), &name);
@@ -233,7 +242,7 @@ impl<'t> Reader<'t> {
             _ => self.settings.has_auto_limits,
         };
         if let Some(text) = value("range").filter(|_| is_scalar && is_limited) {
-            let ends: [f64; 2] = super::numbers::exactly(text, "`range` of a joint")?;
+            let ends: [f64; 2] = super::attribute_numbers::exactly(text, "`range` of a joint")?;
             added.range = Some(ends.map(|end| angle(end) - added.zero));
         }
         let known = [
@@ -256,7 +265,7 @@ impl<'t> Reader<'t> {
         body: usize,
         at: &Placement,
     ) -> Result<(), ImportError> {
-        let place = at.then(&self.settings.placement(element)?);
+        let located = at.then(&self.settings.placement(element)?);
         let [mass] = attribute(element, "mass")?.unwrap_or_default();
         let tensor = match (
             attribute::<3>(element, "diaginertia")?,
@@ -268,8 +277,8 @@ impl<'t> Reader<'t> {
         };
         self.robot.bodies[body].masses.push(Mass {
             mass,
-            centre: place.origin,
-            inertia: place.tensor(&tensor),
+            centre: located.origin,
+            inertia: located.tensor(&tensor),
         });
         Ok(())
     }
@@ -332,9 +341,9 @@ impl<'t> Reader<'t> {
             }
         };
         let closing = if is_weld {
-            Closing::Weld
+            ClosingJoint::Weld
         } else {
-            Closing::Point
+            ClosingJoint::Point
         };
         self.robot.closures.push(Closure {
             name: name.to_owned(),
@@ -414,18 +423,5 @@ impl<'t> Reader<'t> {
                 self.floating.len()
             ))),
         }
-    }
-}
-
-/// The shortest rotation that turns the z axis into a direction.
-fn z_axis(direction: Vector) -> Option<[Vector; 3]> {
-    let z = unit(direction)?;
-    let axis = super::placement::cross(AXES[2], z);
-    let sine = super::placement::length(axis);
-    match unit(axis) {
-        Some(axis) => Some(Placement::turned(axis, sine.atan2(z[2])).axes),
-        None if z[2] > 0.0 => Some(AXES),
-        // Half a turn about x.
-        None => Some([AXES[0], [0.0, -1.0, 0.0], [0.0, 0.0, -1.0]]),
     }
 }

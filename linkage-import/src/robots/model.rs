@@ -59,7 +59,7 @@ pub(crate) struct Body {
 
 /// The kind of a joint that closes a loop.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) enum Closing {
+pub(crate) enum ClosingJoint {
     Point,
     Hinge(Vector),
     Slide(Vector),
@@ -70,7 +70,7 @@ pub(crate) enum Closing {
 #[derive(Clone, Debug)]
 pub(crate) struct Closure {
     pub(crate) name: String,
-    pub(crate) closing: Closing,
+    pub(crate) closing: ClosingJoint,
     pub(crate) bodies: [usize; 2],
     /// The point on each body.
     pub(crate) at: [Vector; 2],
@@ -82,6 +82,8 @@ pub(crate) struct Robot {
     pub(crate) name: String,
     pub(crate) bodies: Vec<Body>,
     pub(crate) closures: Vec<Closure>,
+    /// The acceleration of free fall, if the file has masses and says it.
+    pub(crate) gravity: Option<Vector>,
     /// Elements and attributes that are not used, with their counts.
     pub(crate) left_out: BTreeMap<String, usize>,
     pub(crate) warnings: Vec<String>,
@@ -97,6 +99,7 @@ impl Robot {
                 masses: Vec::new(),
             }],
             closures: Vec::new(),
+            gravity: None,
             left_out: BTreeMap::new(),
             warnings: Vec::new(),
         }

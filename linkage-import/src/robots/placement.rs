@@ -128,7 +128,7 @@ impl Placement {
     pub(crate) fn quaternion(origin: Vector, [w, x, y, z]: [f64; 4]) -> Option<Self> {
         let axis = unit([x, y, z]);
         let size = length([x, y, z]);
-        if !(w.hypot(size) > 1e-10) {
+        if w.hypot(size) <= 1e-10 || size.is_nan() || w.is_nan() {
             return None;
         }
         let turned = match axis {

@@ -1,10 +1,9 @@
 //! The text of a robot that moves in a plane.
 
-use super::model::{Body, Closing, Joint, Motion};
+use super::model::{Body, ClosingJoint, Joint, Motion};
+use super::motion_plane::Plane;
 use super::placement::{Vector, cross, dot};
-use super::plane::Plane;
-use super::wording::{Sections, Wording};
-use crate::number::plain;
+use super::wording::{Sections, Wording, digits};
 
 /// The text of a plane mechanism that is being written.
 struct Writer<'w, 'c> {
@@ -206,9 +205,9 @@ impl Writer<'_, '_> {
             let components = vec!["x".to_owned(), "y".to_owned()];
             let turns = (Vec::new(), [self.turn(a), self.turn(b)]);
             let texts = match closure.closing {
-                Closing::Point | Closing::Hinge(_) => vec![(components, ends)],
-                Closing::Weld => vec![(components, ends), turns],
-                Closing::Slide(axis) => {
+                ClosingJoint::Point | ClosingJoint::Hinge(_) => vec![(components, ends)],
+                ClosingJoint::Weld => vec![(components, ends), turns],
+                ClosingJoint::Slide(axis) => {
                     let normal = self.plane.coordinates(cross(self.plane.normal, axis));
                     let normal = self.turned(b, &self.wording.direction(&normal));
                     let off = format!("dot({first} - {second}, {normal})");
@@ -217,7 +216,7 @@ impl Writer<'_, '_> {
             };
             self.wording.equations(index, &texts, &mut self.sections);
             self.wording.gap(index, &mut self.sections);
-            if closure.closing == Closing::Point || closure.closing == Closing::Weld {
+            if closure.closing == ClosingJoint::Point || closure.closing == ClosingJoint::Weld {
                 self.sections.warnings.push(format!(
                     "the loop `{}` holds in space; in the plane its other equations are too many and are left out",
                     crate::names::shown(&closure.name)
@@ -281,6 +280,12 @@ impl Writer<'_, '_> {
     /// Bodies with their masses, if every body hangs on a joint.
     fn masses(&mut self) {
         let robot = self.wording.chain.robot;
+        if let Some(gravity) = robot.gravity {
+            let [x, y] = self.plane.coordinates(gravity).map(digits);
+            self.sections
+                .bodies
+                .push(format!("gravity = ({x}m/s^2, {y}m/s^2);"));
+        }
         let joints = robot.bodies.iter().filter_map(|body| body.joint.as_ref());
         if joints.clone().any(|joint| joint.motion == Motion::Free) {
             self.sections
@@ -310,9 +315,9 @@ impl Writer<'_, '_> {
                 let centre = self.carried(index, mass.centre, "centre");
                 let n = self.plane.normal;
                 let inertia = dot(n, mass.inertia.map(|row| dot(row, n)));
-                line += &format!(", mass {}kg at {centre}", plain(mass.mass));
+                line += &format!(", mass {}kg at {centre}", digits(mass.mass));
                 if inertia > 0.0 {
-                    line += &format!(", inertia {}kg*m^2", plain(inertia));
+                    line += &format!(", inertia {}kg*m^2", digits(inertia));
                 }
             }
             self.sections.bodies.push(line + ";");

@@ -5,8 +5,8 @@
 
 use std::collections::BTreeMap;
 
-use super::model::{Closing, Closure, Mass, Motion, Robot, joint};
-use super::numbers::{exactly, numbers};
+use super::attribute_numbers::{exactly, numbers};
+use super::model::{ClosingJoint, Closure, Mass, Motion, Robot, joint};
 use super::placement::{FIXED, Placement, Vector};
 use super::urdf::{axis_of, follow};
 use crate::error::ImportError;
@@ -16,7 +16,7 @@ use crate::xml::XmlElement;
 /// Poses that refer to each other more often than this are a circle.
 const DEEPEST: usize = 64;
 
-/// The names of frames with the elements that place them.
+/// The names of frames with the elements that say where they are.
 struct Frames<'t> {
     elements: BTreeMap<&'t str, &'t XmlElement>,
 }
@@ -122,7 +122,7 @@ fn pose(element: &XmlElement) -> Result<Placement, ImportError> {
 
 impl Frames<'_> {
     /// The placement of a link, a joint or a frame in the model.
-    fn place(&self, name: &str, depth: usize) -> Result<Placement, ImportError> {
+    fn frame_placement(&self, name: &str, depth: usize) -> Result<Placement, ImportError> {
         if name == "__model__" || name == "world" || name.is_empty() {
             return Ok(FIXED);
         }
@@ -148,7 +148,7 @@ impl Frames<'_> {
         };
         let relative = pose_element.and_then(|pose| pose.attribute("relative_to"));
         let relative = relative.filter(|name| !name.is_empty()).unwrap_or(default);
-        Ok(self.place(relative, depth + 1)?.then(&local))
+        Ok(self.frame_placement(relative, depth + 1)?.then(&local))
     }
 
     /// The link that a link or a frame moves with; `None` for the world.
@@ -263,25 +263,25 @@ fn tree(
 /// The axis of a joint in the model.
 fn axis(element: &XmlElement, which: &str, frames: &Frames) -> Result<Vector, ImportError> {
     let name = name_of(element)?;
-    let place = frames.place(name, 0)?;
+    let located = frames.frame_placement(name, 0)?;
     let Some(axis) = element.named(which).next() else {
-        return axis_of(place.direction([0.0, 0.0, 1.0]), name);
+        return axis_of(located.direction([0.0, 0.0, 1.0]), name);
     };
     let Some(xyz) = axis.named("xyz").next() else {
-        return axis_of(place.direction([0.0, 0.0, 1.0]), name);
+        return axis_of(located.direction([0.0, 0.0, 1.0]), name);
     };
     let local: Vector = exactly(&xyz.text, "an axis")?;
     // Files of version 1.6 and before may give the axis in the axes of the model.
     let old = text_of(axis, "use_parent_model_frame");
-    let place = match xyz
+    let located = match xyz
         .attribute("expressed_in")
         .filter(|name| !name.is_empty())
     {
-        Some(frame) => frames.place(frame, 0)?,
+        Some(frame) => frames.frame_placement(frame, 0)?,
         None if old.is_some_and(|text| ["1", "true"].contains(&text)) => FIXED,
-        None => place,
+        None => located,
     };
-    axis_of(place.direction(local), name)
+    axis_of(located.direction(local), name)
 }
 
 /// Adds the link at the end of a joint. Against its direction the axis points the other way.
@@ -294,7 +294,7 @@ fn add_joint(
     is_forward: bool,
 ) -> Result<usize, ImportError> {
     let name = name_of(element)?;
-    let at = frames.place(name, 0)?.origin;
+    let at = frames.frame_placement(name, 0)?.origin;
     let directed = |which: &str| {
         let axis = axis(element, which, frames)?;
         Ok::<Vector, ImportError>(match is_forward {
@@ -390,13 +390,13 @@ fn close(
     bodies: [usize; 2],
 ) -> Result<(), ImportError> {
     let name = name_of(element)?;
-    let at = frames.place(name, 0)?.origin;
+    let at = frames.frame_placement(name, 0)?.origin;
     note_rest(robot, element);
     let closing = match element.attribute("type").unwrap_or_default() {
-        "revolute" | "continuous" => Closing::Hinge(axis(element, "axis", frames)?),
-        "prismatic" => Closing::Slide(axis(element, "axis", frames)?),
-        "ball" => Closing::Point,
-        "fixed" => Closing::Weld,
+        "revolute" | "continuous" => ClosingJoint::Hinge(axis(element, "axis", frames)?),
+        "prismatic" => ClosingJoint::Slide(axis(element, "axis", frames)?),
+        "ball" => ClosingJoint::Point,
+        "fixed" => ClosingJoint::Weld,
         other => {
             return Err(ImportError::new(format!(
                 "the joint `{}`, which closes a loop, is `{}`, which is not taken there",
@@ -430,7 +430,7 @@ fn add_mass(
             }
         }
         let local = element.named("pose").next().map_or(Ok(FIXED), pose)?;
-        let place = frames.place(name_of(link)?, 0)?.then(&local);
+        let located = frames.frame_placement(name_of(link)?, 0)?.then(&local);
         let number = |element: &XmlElement, name: &'static str| match text_of(element, name) {
             Some(text) => Ok::<f64, ImportError>(exactly::<1>(text, name)?[0]),
             None => Ok(0.0),
@@ -451,8 +451,8 @@ fn add_mass(
         }
         robot.bodies[body].masses.push(Mass {
             mass,
-            centre: place.origin,
-            inertia: place.tensor(&tensor),
+            centre: located.origin,
+            inertia: located.tensor(&tensor),
         });
     }
     Ok(())

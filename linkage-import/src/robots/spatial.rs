@@ -1,9 +1,8 @@
 //! The text of a robot that moves in space.
 
-use super::model::{Body, Closing, Motion};
+use super::model::{Body, ClosingJoint, Motion};
 use super::placement::{AXES, Vector, difference, length, normals};
-use super::wording::{Sections, Wording};
-use crate::number::plain;
+use super::wording::{Sections, Wording, digits};
 
 /// The text of a mechanism of space that is being written.
 struct Writer<'w, 'c> {
@@ -199,13 +198,13 @@ impl Writer<'_, '_> {
         // About x, y and z.
         let turns = [0, 1, 2].map(|k| right_angle(AXES[(k + 1) % 3], AXES[(k + 2) % 3]));
         let texts = match closure.closing {
-            Closing::Point => vec![together],
-            Closing::Weld => [vec![together], turns.to_vec()].concat(),
-            Closing::Hinge(axis) => {
+            ClosingJoint::Point => vec![together],
+            ClosingJoint::Weld => [vec![together], turns.to_vec()].concat(),
+            ClosingJoint::Hinge(axis) => {
                 let across = normals(axis).map(|normal| right_angle(axis, normal));
                 [vec![together], across.to_vec()].concat()
             }
-            Closing::Slide(axis) => {
+            ClosingJoint::Slide(axis) => {
                 let across = normals(axis).map(|normal| {
                     let normal = self.direction(b, normal);
                     let off = format!("dot({first} - {second}, {normal})");
@@ -225,11 +224,11 @@ impl Writer<'_, '_> {
             if let Some(mass) = body.mass() {
                 let i = mass.inertia;
                 let numbers = [i[0][0], i[1][1], i[2][2], i[0][1], i[0][2], i[1][2]];
-                let numbers: Vec<String> = numbers.iter().map(|value| plain(*value)).collect();
+                let numbers: Vec<String> = numbers.iter().map(|value| digits(*value)).collect();
                 self.sections.bodies.push(format!(
                     "// {}: {}kg, centre drawn at {}, xx yy zz xy xz yz in kg*m^2: {}",
                     self.wording.bodies[index],
-                    plain(mass.mass),
+                    digits(mass.mass),
                     self.wording.point(&mass.centre),
                     numbers.join(" ")
                 ));

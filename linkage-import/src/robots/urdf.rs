@@ -1,12 +1,12 @@
 //! URDF: links and joints in a tree, `mimic`, and `loop_joint`.
 //!
 //! The format is that of the parser of ROS (`urdfdom`). `loop_joint` is the extension of Isaac Sim
-//! for closed loops: two links, each with the place of the joint in it.
+//! for closed loops: two links, each with the located of the joint in it.
 
 use std::collections::BTreeMap;
 
-use super::model::{Closing, Closure, Mass, Motion, Robot, joint};
-use super::numbers::attribute;
+use super::attribute_numbers::attribute;
+use super::model::{ClosingJoint, Closure, Mass, Motion, Robot, joint};
 use super::placement::{FIXED, Placement, Vector, unit};
 use crate::error::ImportError;
 use crate::names::shown;
@@ -70,8 +70,8 @@ pub(super) fn read(root: &XmlElement) -> Result<Robot, ImportError> {
         add_mass(&mut robot, body, links[link], &at)?;
         let below = children.get(link).map_or(&[][..], |joints| &joints[..]);
         for joint in below {
-            let (child, index, place) = add_joint(&mut robot, joint, body, &at)?;
-            open.push((child, index, place));
+            let (child, index, located) = add_joint(&mut robot, joint, body, &at)?;
+            open.push((child, index, located));
         }
     }
     mimic(&mut robot, &joints)?;
@@ -129,20 +129,20 @@ fn add_joint<'t>(
 ) -> Result<(&'t str, usize, Placement), ImportError> {
     let name = required(element, "name")?;
     let child = end(element, "child")?;
-    let place = on.then(&origin(element)?);
+    let located = on.then(&origin(element)?);
     let axis = match element.named("axis").next() {
         Some(axis) => attribute(axis, "xyz")?.unwrap_or([1.0, 0.0, 0.0]),
         None => [1.0, 0.0, 0.0],
     };
     let kind = required(element, "type")?;
-    let axis = || axis_of(place.direction(axis), name);
+    let axis = || axis_of(located.direction(axis), name);
     let motion = match kind {
         "revolute" | "continuous" => Motion::Hinge(axis()?),
         "prismatic" => Motion::Slide(axis()?),
         "floating" => Motion::Free,
         "fixed" => {
             note_rest(robot, element);
-            return Ok((child, parent, place));
+            return Ok((child, parent, located));
         }
         other => {
             return Err(ImportError::new(format!(
@@ -155,7 +155,7 @@ fn add_joint<'t>(
     if robot.joint_named(name).is_some() {
         return Err(twice("joint", name));
     }
-    let mut added = joint(name, motion, parent, place.origin);
+    let mut added = joint(name, motion, parent, located.origin);
     let limit = element.named("limit").next();
     if let Some(limit) = limit.filter(|_| kind != "continuous" && motion != Motion::Free) {
         let end = |name: &str| Ok(attribute::<1>(limit, name)?.map_or(0.0, |[value]| value));
@@ -163,10 +163,10 @@ fn add_joint<'t>(
     }
     note_rest(robot, element);
     let index = robot.add(child, added)?;
-    Ok((child, index, place))
+    Ok((child, index, located))
 }
 
-/// Counts what a joint has besides its place.
+/// Counts what a joint has besides its located.
 fn note_rest(robot: &mut Robot, joint: &XmlElement) {
     for element in &joint.children {
         match element.name.as_str() {
@@ -199,7 +199,7 @@ fn add_mass(
             robot.leave_out(&format!("{} of links", element.name));
             continue;
         }
-        let place = at.then(&origin(element)?);
+        let located = at.then(&origin(element)?);
         let value = |name: &'static str, of: &XmlElement| {
             Ok(attribute::<1>(of, name)?.map_or(0.0, |[value]| value))
         };
@@ -222,8 +222,8 @@ fn add_mass(
         }
         robot.bodies[body].masses.push(Mass {
             mass,
-            centre: place.origin,
-            inertia: place.tensor(&tensor),
+            centre: located.origin,
+            inertia: located.tensor(&tensor),
         });
     }
     Ok(())
@@ -301,15 +301,15 @@ fn add_loop(
     };
     let [(first, at), (second, other)] = [end("link1")?, end("link2")?];
     let closing = match required(element, "type")? {
-        "spherical" | "ball" => Closing::Point,
+        "spherical" | "ball" => ClosingJoint::Point,
         "revolute" | "continuous" => {
             robot.warnings.push(format!(
                 "the loop `{}` is a hinge whose axis is not in the file: a ball is written, which is the same if all axes are parallel",
                 shown(name)
             ));
-            Closing::Point
+            ClosingJoint::Point
         }
-        "fixed" => Closing::Weld,
+        "fixed" => ClosingJoint::Weld,
         other => {
             return Err(ImportError::new(format!(
                 "the loop `{}` is `{}`, which is not taken; `spherical`, `revolute` and `fixed` are",

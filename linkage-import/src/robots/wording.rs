@@ -73,7 +73,11 @@ impl<'c> Wording<'c> {
             joints,
             pivots,
             names,
-            digit: 10f64.powf(chain.size.log10().floor() - 14.0),
+            digit: match chain.size > 1e-9 {
+                true => 10f64.powf(chain.size.log10().floor() - 14.0),
+                // A robot of one joint.
+                false => 1e-15,
+            },
         }
     }
 
@@ -238,6 +242,11 @@ impl<'c> Wording<'c> {
             ));
         }
     }
+}
+
+/// A number with fifteen digits.
+pub(super) fn digits(value: f64) -> String {
+    plain(format!("{value:.14e}").parse().unwrap_or(value))
 }
 
 /// A number with six digits.

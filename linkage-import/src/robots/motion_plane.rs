@@ -1,6 +1,6 @@
 //! The plane of a robot whose hinges are parallel.
 
-use super::model::{Closing, Motion, Robot};
+use super::model::{ClosingJoint, Motion, Robot};
 use super::placement::{AXES, Vector, cross, dot, normals};
 
 /// The sine of the angle between axes that count as parallel: the rounding of eight decimals.
@@ -35,9 +35,9 @@ impl Plane {
             Motion::Ball | Motion::Free | Motion::Fixed => true,
         });
         let of_closures = robot.closures.iter().all(|closure| match closure.closing {
-            Closing::Hinge(axis) => is_parallel(axis),
-            Closing::Slide(axis) => is_in_plane(axis),
-            Closing::Point | Closing::Weld => true,
+            ClosingJoint::Hinge(axis) => is_parallel(axis),
+            ClosingJoint::Slide(axis) => is_in_plane(axis),
+            ClosingJoint::Point | ClosingJoint::Weld => true,
         });
         (of_joints && of_closures).then(|| Self::across(normal))
     }

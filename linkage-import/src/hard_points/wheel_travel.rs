@@ -33,11 +33,13 @@ pub(super) fn reach(
     let drawn = Placement::shifted([0.0; 3]);
     let margin = solve(holds, centre, &drawn, 0.0, size).map_or(0.0, |(_, _, pivot)| pivot);
     [-most, most].map(|end| {
-        let mut place = drawn;
+        let mut placement = drawn;
         for number in 1..=TRIES {
             let travel = end * number as f64 / TRIES as f64;
-            match settled(holds, centre, &place, travel, size) {
-                Some((next, pivot)) if pivot > FLAT * margin && is_reached(&next) => place = next,
+            match settled(holds, centre, &placement, travel, size) {
+                Some((next, pivot)) if pivot > FLAT * margin && is_reached(&next) => {
+                    placement = next
+                }
                 _ => return end * (number - 1) as f64 / TRIES as f64,
             }
         }
@@ -53,11 +55,11 @@ fn settled(
     travel: f64,
     size: f64,
 ) -> Option<(Placement, f64)> {
-    let mut place = *start;
+    let mut placement = *start;
     for _ in 0..30 {
-        let (step, error, pivot) = solve(holds, centre, &place, travel, size)?;
+        let (step, error, pivot) = solve(holds, centre, &placement, travel, size)?;
         if error < 1e-12 {
-            return Some((place, pivot));
+            return Some((placement, pivot));
         }
         let [a, b, c, x, y, z] = step;
         let angle = length([a, b, c]);
@@ -66,14 +68,14 @@ fn settled(
             true => Placement::turned([a, b, c].map(|part| part / angle), angle),
             false => Placement::shifted([0.0; 3]),
         };
-        let now = place.point(centre);
+        let now = placement.point(centre);
         let moved = [now[0] + size * x, now[1] + size * y, now[2] + size * z];
         // About the wheel centre.
         let about = turned.then(&Placement {
             origin: [0.0; 3],
-            ..place
+            ..placement
         });
-        place = Placement {
+        placement = Placement {
             origin: difference(moved, about.direction(centre)),
             ..about
         };
@@ -86,11 +88,11 @@ fn settled(
 fn solve(
     holds: &[Hold],
     centre: Vector,
-    place: &Placement,
+    placement: &Placement,
     travel: f64,
     size: f64,
 ) -> Option<([f64; 6], f64, f64)> {
-    let now = place.point(centre);
+    let now = placement.point(centre);
     let mut rows: Vec<[f64; 7]> = Vec::new();
     let mut add = |at: Vector, along: Vector, error: f64| {
         let turn = cross(difference(at, now), along);
@@ -100,7 +102,7 @@ fn solve(
     for hold in holds {
         match hold {
             Hold::Rod { fixed, moving } => {
-                let at = place.point(*moving);
+                let at = placement.point(*moving);
                 let apart = difference(at, *fixed);
                 let along = unit(apart)?;
                 let drawn = length(difference(*moving, *fixed));
@@ -111,9 +113,9 @@ fn solve(
                 moving,
                 normals,
             } => {
-                let at = place.point(*moving);
+                let at = placement.point(*moving);
                 for normal in normals {
-                    let normal = place.direction(*normal);
+                    let normal = placement.direction(*normal);
                     // The point of the carrier that is where the fixed point is.
                     add(*fixed, normal, dot(difference(at, *fixed), normal));
                 }
@@ -136,7 +138,7 @@ fn solve(
         rows.swap(column, pivot);
         let pivot = rows[column];
         least = least.min(pivot[column].abs());
-        if !(pivot[column].abs() > 1e-9) {
+        if pivot[column].abs() <= 1e-9 || pivot[column].is_nan() {
             return None;
         }
         for row in &mut rows[column + 1..] {

@@ -4,8 +4,10 @@ use std::collections::BTreeMap;
 
 use crate::error::ImportError;
 use crate::names::shown;
-use crate::robots::numbers::attribute;
-use crate::robots::placement::{AXES, FIXED, Placement, cross, difference, dot, scaled, unit};
+use crate::robots::attribute_numbers::attribute;
+use crate::robots::placement::{
+    AXES, FIXED, Placement, Vector, cross, difference, dot, length, scaled, unit,
+};
 use crate::xml::XmlElement;
 
 /// Classes within each other more often than this are refused by the reader of XML before.
@@ -132,7 +134,7 @@ impl<'t> Settings<'t> {
                 ..FIXED
             }
         } else if let Some(direction) = attribute::<3>(element, "zaxis")? {
-            let axes = super::z_axis(direction).ok_or_else(|| wrong("zaxis"))?;
+            let axes = z_axis(direction).ok_or_else(|| wrong("zaxis"))?;
             Placement { axes, ..FIXED }
         } else if let Some(angles) = attribute::<3>(element, "euler")? {
             let mut placement = FIXED;
@@ -154,5 +156,18 @@ impl<'t> Settings<'t> {
             FIXED
         };
         Ok(Placement { origin, ..turned })
+    }
+}
+
+/// The shortest rotation that turns the z axis into a direction.
+fn z_axis(direction: Vector) -> Option<[Vector; 3]> {
+    let z = unit(direction)?;
+    let axis = cross(AXES[2], z);
+    let sine = length(axis);
+    match unit(axis) {
+        Some(axis) => Some(Placement::turned(axis, sine.atan2(z[2])).axes),
+        None if z[2] > 0.0 => Some(AXES),
+        // Half a turn about x.
+        None => Some([AXES[0], [0.0, -1.0, 0.0], [0.0, 0.0, -1.0]]),
     }
 }

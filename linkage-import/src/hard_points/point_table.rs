@@ -82,7 +82,8 @@ fn coordinate(text: &str, name: &str) -> Result<f64, ImportError> {
 
 /// Reads CSV. A first line without numbers is a heading.
 pub(super) fn csv(text: &str) -> Result<Table, ImportError> {
-    let separator = match text.lines().next() {
+    let mut lines = text.lines().filter(|line| !line.starts_with('#'));
+    let separator = match lines.next() {
         Some(line) if line.contains(';') => b';',
         Some(line) if line.contains('\t') => b'\t',
         _ => b',',
