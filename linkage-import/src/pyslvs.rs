@@ -224,6 +224,7 @@ fn slide(
         path: SlotPath::Direction(
             angle.to_radians(),
             format!("{}deg", crate::number::plain(angle)),
+            None,
         ),
         block,
     });

@@ -1,13 +1,13 @@
 //! `linkage import`: a file of another program as a mechanism.
 
-use std::fs;
-use std::io::Read;
+use std::fs::{self, OpenOptions};
+use std::io::{Read, Write};
 use std::path::{Path, PathBuf};
 
 use clap::Args;
 use linkage_import::{Format, Import, import};
 
-use super::output::put;
+use super::output::print;
 use crate::failure::{Failure, listed};
 
 /// The largest file that is read, in bytes: a mechanism of thousands of joints is smaller.
@@ -18,7 +18,7 @@ const MOST_BYTES: u64 = 16 << 20;
 pub(super) struct Options {
     /// The file of another program, `-` for the standard input, or an address
     file: String,
-    /// The file for the mechanism; without it the mechanism is printed
+    /// The file for the mechanism, which must not be there yet; without it the mechanism is printed
     #[arg(short, long, value_name = "FILE")]
     output: Option<PathBuf>,
     /// The format, if the name does not decide it: `linkage2`, `pmks`, `pyslvs`, `pylinkage`, `csv`
@@ -32,7 +32,7 @@ pub(super) struct Options {
     input: Vec<String>,
 }
 
-/// Writes the mechanism, and prints each warning.
+/// Writes the mechanism, but never over a file, and prints each warning.
 pub(super) fn run(options: &Options) -> Result<(), Failure> {
     let format = options.format.as_deref().map(format_named).transpose()?;
     let choices = linkage_import::Options {
@@ -43,9 +43,14 @@ pub(super) fn run(options: &Options) -> Result<(), Failure> {
     let content = content(&options.file)?;
     let imported = import(&content, &options.file, &choices);
     let Import { text, warnings } = imported.map_err(|error| Failure::Told(error.to_string()))?;
-    put(options.output.as_deref(), Path::new(&options.file), |out| {
-        out.write_all(text.as_bytes())
-    })?;
+    match &options.output {
+        None => print(&text)?,
+        Some(file) => {
+            let made = OpenOptions::new().write(true).create_new(true).open(file);
+            let written = made.and_then(|mut made| made.write_all(text.as_bytes()));
+            written.map_err(|error| Failure::file("write", file, &error))?;
+        }
+    }
     for warning in warnings {
         eprintln!("warning: {warning}");
     }

@@ -80,7 +80,10 @@ pub(super) fn slots(document: &Document, spelling: &Spelling, drives: &[Drive], 
                 let [first, second] = [first, second].map(|joint| &spelling.joints[*joint]);
                 format!("along {first}, {second}")
             }
-            SlotPath::Direction(_, direction) => format!("along {direction}"),
+            SlotPath::Direction(_, direction, None) => format!("along {direction}"),
+            SlotPath::Direction(_, direction, Some(joint)) => {
+                format!("along {direction} through {}", spelling.joints[*joint])
+            }
             SlotPath::Arc { centre, .. } => format!("around {}", spelling.joints[*centre]),
         };
         let block = slot.block.map_or_else(String::new, |block| {
