@@ -16,8 +16,9 @@ const MOST_BYTES: u64 = 16 << 20;
 /// Options of the command.
 #[derive(Debug, Args)]
 pub(super) struct Options {
-    /// The file of another program, `-` for the standard input, or an address
-    file: String,
+    /// The file of another program, `-` for the standard input, or an address in quotes
+    #[arg(required_unless_present = "list")]
+    file: Option<String>,
     /// The file for the mechanism, which must not be there yet; without it the mechanism is printed
     #[arg(short, long, value_name = "FILE")]
     output: Option<PathBuf>,
@@ -27,6 +28,9 @@ pub(super) struct Options {
     /// The name of the mechanism, otherwise from the name of the file
     #[arg(long, value_name = "NAME")]
     name: Option<String>,
+    /// Lists all formats
+    #[arg(long)]
+    list: bool,
     /// An input instead of those of the file: a pivot and another joint of the link that turns
     #[arg(long, value_name = "PIVOT,JOINT")]
     input: Vec<String>,
@@ -34,14 +38,17 @@ pub(super) struct Options {
 
 /// Writes the mechanism, but never over a file, and prints each warning.
 pub(super) fn run(options: &Options) -> Result<(), Failure> {
+    let file = match (&options.file, options.list) {
+        (Some(file), false) => file,
+        _ => return print(&listed_formats()),
+    };
     let format = options.format.as_deref().map(format_named).transpose()?;
     let choices = linkage_import::Options {
         format,
         mechanism: options.name.clone(),
         inputs: options.input.clone(),
     };
-    let content = content(&options.file)?;
-    let imported = import(&content, &options.file, &choices);
+    let imported = import(&content(file)?, file, &choices);
     let Import { text, warnings } = imported.map_err(|error| Failure::Told(error.to_string()))?;
     match &options.output {
         None => print(&text)?,
@@ -55,6 +62,14 @@ pub(super) fn run(options: &Options) -> Result<(), Failure> {
         eprintln!("warning: {warning}");
     }
     Ok(())
+}
+
+/// A line for each format.
+fn listed_formats() -> String {
+    let names = Format::ALL.iter().map(|format| format.name().len());
+    let width = names.max().unwrap_or(0);
+    let line = |format: &Format| format!("{:width$}  {}\n", format.name(), format.about());
+    Format::ALL.iter().map(line).collect()
 }
 
 fn format_named(name: &str) -> Result<Format, Failure> {
