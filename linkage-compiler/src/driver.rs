@@ -67,7 +67,7 @@ impl Driver {
     /// Runs the phases for all mechanisms. The observer sees those of the last one.
     pub(crate) fn run(body: TokenStream, observer: &mut dyn PhaseObserver) -> Self {
         let mut syntax = Diagnostics::default();
-        let definitions = syntax::parse(body, &mut syntax);
+        let definitions = model::expand(syntax::parse(body, &mut syntax), &mut syntax);
         let (order, circles) = part_order(&definitions);
         let mut progress: Vec<Progress> = circles
             .into_iter()

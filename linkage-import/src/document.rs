@@ -113,7 +113,8 @@ pub(crate) enum SlotPath {
     /// The line through two joints of the guide.
     Joints(usize, usize),
     /// A direction of the drawing through the pin: radians, and the same as text with a unit.
-    Direction(f64, String),
+    /// A guide that moves has a joint there.
+    Direction(f64, String, Option<usize>),
     /// An arc about a joint of the guide.
     Arc { centre: usize, radius: f64 },
 }

@@ -225,6 +225,7 @@ fn slot(
         SlotPath::Direction(
             angle.to_radians(),
             format!("{}deg", crate::number::plain(angle)),
+            None,
         )
     };
     let (Some(guide), block) = (links.first().copied(), links.get(1).copied()) else {

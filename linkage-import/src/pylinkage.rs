@@ -127,7 +127,7 @@ fn read_joint(sheet: &mut Sheet, value: &Value) -> Result<(), ImportError> {
             sheet.document.slots.push(Slot {
                 pin: joint,
                 guide: FRAME,
-                path: SlotPath::Direction(angle, format!("{}rad", plain(angle))),
+                path: SlotPath::Direction(angle, format!("{}rad", plain(angle)), None),
                 block: None,
             });
         }

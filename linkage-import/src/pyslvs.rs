@@ -1,7 +1,7 @@
 //! Expressions of Pyslvs: `M[J[R, color[Green], P[0.0, 0.0], L[ground, link_1]], ...]`.
 //!
 //! `P` and `RP` joints have the link with the slot first. The links behind it have the pin: with
-//! `P` they do not turn in the slot. Angles are in degrees. The program writes four decimals
+//! `P` none of them turns in the slot, so that they are one body. Angles are in degrees. The program writes four decimals
 //! and cuts zeros at their end. Expressions have no inputs.
 
 use std::collections::BTreeMap;
@@ -33,6 +33,7 @@ pub(crate) fn read(content: &[u8]) -> Result<Document, ImportError> {
     );
     let mut sheet = Sheet {
         links: BTreeMap::from([("ground".to_owned(), FRAME)]),
+        one_body: Vec::new(),
         decimals: 0,
         document,
     };
@@ -44,6 +45,7 @@ pub(crate) fn read(content: &[u8]) -> Result<Document, ImportError> {
             break;
         }
     }
+    unite(&mut sheet);
     if sheet.document.joints.is_empty() {
         return Err(ImportError::new("the expression has no joints"));
     }
@@ -58,6 +60,8 @@ pub(crate) fn read(content: &[u8]) -> Result<Document, ImportError> {
 
 struct Sheet {
     links: BTreeMap<String, usize>,
+    /// Pairs of links that do not turn against each other.
+    one_body: Vec<[usize; 2]>,
     decimals: usize,
     document: Document,
 }
@@ -211,21 +215,43 @@ fn slide(
         document.attach(pin, *link);
     }
     let block = others.first().copied().filter(|_| kind == "P");
-    if kind == "P" && others.len() > 1 {
-        document.warnings.push(format!(
-            "the joint {pin} of the kind P has several links in its slot: the first of them does \
-             not turn"
-        ));
+    if let (Some(first), "P") = (block, kind) {
+        let pairs = others.iter().skip(1).map(|other| [first, *other]);
+        sheet.one_body.extend(pairs);
     }
-    // The slot belongs to the guide alone: without a joint there, the guide turns with nothing.
     document.slots.push(Slot {
         pin,
         guide: *guide,
         path: SlotPath::Direction(
             angle.to_radians(),
             format!("{}deg", crate::number::plain(angle)),
+            None,
         ),
         block,
     });
     Ok(())
+}
+
+/// Moves the joints of links to those that are one body with them.
+fn unite(sheet: &mut Sheet) {
+    let document = &mut sheet.document;
+    for [first, other] in std::mem::take(&mut sheet.one_body) {
+        if other == FRAME || first == other {
+            continue;
+        }
+        for joint in std::mem::take(&mut document.links[other].joints) {
+            document.attach(joint, first);
+        }
+        for slot in &mut document.slots {
+            for link in slot.block.iter_mut().chain([&mut slot.guide]) {
+                if *link == other {
+                    *link = first;
+                }
+            }
+        }
+        let [first, other] = [first, other].map(|link| shown(&document.links[link].name));
+        document.remarks.push(format!(
+            "`{first}` and `{other}` do not turn in the same slot: they are one body."
+        ));
+    }
 }

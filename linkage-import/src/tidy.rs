@@ -11,6 +11,7 @@ pub(crate) fn tidy(document: &mut Document) {
         fold(document, link);
     }
     check_slots(document);
+    place_lines(document);
     mark_wheels(document);
     drop_short_links(document);
     drop_unused_joints(document);
@@ -147,6 +148,26 @@ fn check_slots(document: &mut Document) {
     }
 }
 
+/// Gives moving guides a joint on the lines of their slots.
+fn place_lines(document: &mut Document) {
+    for index in 0..document.slots.len() {
+        let (pin, guide) = (document.slots[index].pin, document.slots[index].guide);
+        let SlotPath::Direction(_, _, through) = document.slots[index].path else {
+            continue;
+        };
+        if guide == FRAME || through.is_some() {
+            continue;
+        }
+        let name = format!("line_of_{}", document.joints[pin].name);
+        let position = document.joints[pin].position;
+        let joint = document.add_derived(name, position);
+        document.attach(joint, guide);
+        if let SlotPath::Direction(_, _, through) = &mut document.slots[index].path {
+            *through = Some(joint);
+        }
+    }
+}
+
 /// Adds a point to wheels, cranks and guides that have only a pivot, so that they have a direction.
 fn mark_wheels(document: &mut Document) {
     /// The part of the largest distance that the point is away.
@@ -244,7 +265,8 @@ fn drop_unused_joints(document: &mut Document) {
                 is_used[second] = true;
             }
             SlotPath::Arc { centre, .. } => is_used[centre] = true,
-            SlotPath::Direction(..) => {}
+            SlotPath::Direction(_, _, Some(through)) => is_used[through] = true,
+            SlotPath::Direction(_, _, None) => {}
         }
     }
     let mut indices = vec![0; document.joints.len()];
@@ -280,7 +302,7 @@ fn drop_unused_joints(document: &mut Document) {
                 new(second);
             }
             SlotPath::Arc { centre, .. } => new(centre),
-            SlotPath::Direction(..) => {}
+            SlotPath::Direction(_, _, through) => through.iter_mut().for_each(new),
         }
     }
     for input in &mut document.inputs {

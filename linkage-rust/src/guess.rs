@@ -36,19 +36,30 @@ impl<'a> Guess<'a> {
         for item in &def.items {
             match item {
                 Item::Const(item) | Item::Let(item) => {
-                    guess.names.entry(plain(&item.name)).or_insert(&item.value);
+                    guess
+                        .names
+                        .entry(plain(&item.name.field()))
+                        .or_insert(&item.value);
                 }
                 Item::Unknown(item) => {
                     if let Some(estimate) = &item.estimate {
-                        guess.names.entry(plain(&item.name)).or_insert(estimate);
+                        guess
+                            .names
+                            .entry(plain(&item.name.field()))
+                            .or_insert(estimate);
                     }
                 }
                 Item::Param(param) => match &param.value {
                     Toleranced::Single { nominal, .. } => {
-                        guess.names.entry(plain(&param.name)).or_insert(nominal);
+                        guess
+                            .names
+                            .entry(plain(&param.name.field()))
+                            .or_insert(nominal);
                     }
                     Toleranced::Components { components, .. } => {
-                        guess.vectors.insert(plain(&param.name), components.len());
+                        guess
+                            .vectors
+                            .insert(plain(&param.name.field()), components.len());
                     }
                 },
                 // Scalars, or nothing with a value.
@@ -63,7 +74,8 @@ impl<'a> Guess<'a> {
                 | Item::Force(_)
                 | Item::Torque(_)
                 | Item::Spring(_)
-                | Item::Damper(_) => {}
+                | Item::Damper(_)
+                | Item::Linked(_) => {}
             }
         }
         let mut points = def.items.iter().filter_map(|item| match item {

@@ -307,7 +307,7 @@ fn complete_parameter<'a>(item: Option<&'a ParamItem>, parameter: &ir::Parameter
         tolerance: scalar.tolerance,
     });
     let (name, attributes) = match item {
-        Some(item) => (item.name.clone(), Cow::Borrowed(&item.attributes[..])),
+        Some(item) => (item.name.field(), Cow::Borrowed(&item.attributes[..])),
         None => of_part(&parameter.name, &parameter.documentation),
     };
     Parameter {

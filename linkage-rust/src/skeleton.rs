@@ -78,13 +78,14 @@ fn sketch<'a>(
     let guess = Guess::new(def);
     let mut seen = CollectedNames::default();
     let mut parameters: Vec<Parameter> = params(def)
-        .filter(|param| seen.first(&param.name))
+        .filter(|param| seen.first(&param.name.field()))
         .map(|param| {
-            let known = mechanism.and_then(|m| m.parameters.iter().find(|p| param.name == p.name));
+            let text = param.name.to_string();
+            let known = mechanism.and_then(|m| m.parameters.iter().find(|p| p.name == text));
             let shape = known.map_or_else(|| guess.parameter(param), |p| Shape::from_type(&p.ty));
-            let components = components(&param.name, &shape);
+            let components = components(&param.name.field(), &shape);
             Parameter {
-                name: param.name.clone(),
+                name: param.name.field(),
                 attributes: Cow::Borrowed(&param.attributes[..]),
                 shape,
                 components,

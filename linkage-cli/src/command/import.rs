@@ -1,13 +1,13 @@
 //! `linkage import`: a file of another program as a mechanism.
 
-use std::fs;
-use std::io::Read;
+use std::fs::{self, OpenOptions};
+use std::io::{Read, Write};
 use std::path::{Path, PathBuf};
 
 use clap::Args;
 use linkage_import::{Format, Import, import};
 
-use super::output::put;
+use super::output::print;
 use crate::failure::{Failure, listed};
 
 /// The largest file that is read, in bytes: a mechanism of thousands of joints is smaller.
@@ -16,17 +16,22 @@ const MOST_BYTES: u64 = 16 << 20;
 /// Options of the command.
 #[derive(Debug, Args)]
 pub(super) struct Options {
-    /// The file of another program, `-` for the standard input, or an address
-    file: String,
-    /// The file for the mechanism; without it the mechanism is printed
+    /// The file of another program, `-` for the standard input, or an address in quotes
+    #[arg(required_unless_present = "list")]
+    file: Option<String>,
+    /// The file for the mechanism, which must not be there yet; without it the mechanism is printed
     #[arg(short, long, value_name = "FILE")]
     output: Option<PathBuf>,
-    /// The format, if the name does not decide it: `linkage2`, `pmks`, `pyslvs`, `pylinkage`, `csv`
+    /// The format, if the name does not decide it: `linkage2`, `pmks`, `pyslvs`, `pylinkage`, `csv`,
+    /// `mjcf`, `urdf`, `sdf`, `hard-points`
     #[arg(long, value_name = "FORMAT")]
     format: Option<String>,
     /// The name of the mechanism, otherwise from the name of the file
     #[arg(long, value_name = "NAME")]
     name: Option<String>,
+    /// Lists all formats
+    #[arg(long)]
+    list: bool,
     /// An input instead of those of the file: a pivot and another joint of the link that turns;
     /// of a robot the name of a joint
     #[arg(long, value_name = "PIVOT,JOINT")]
@@ -45,8 +50,12 @@ pub(super) struct Options {
     role: Vec<String>,
 }
 
-/// Writes the mechanism, and prints each warning.
+/// Writes the mechanism, but never over a file, and prints each warning.
 pub(super) fn run(options: &Options) -> Result<(), Failure> {
+    let file = match (&options.file, options.list) {
+        (Some(file), false) => file,
+        _ => return print(&listed_formats()),
+    };
     let format = options.format.as_deref().map(format_named).transpose()?;
     let choices = linkage_import::Options {
         format,
@@ -57,16 +66,28 @@ pub(super) fn run(options: &Options) -> Result<(), Failure> {
         side: options.side.clone(),
         roles: options.role.clone(),
     };
-    let content = content(&options.file)?;
-    let imported = import(&content, &options.file, &choices);
+    let imported = import(&content(file)?, file, &choices);
     let Import { text, warnings } = imported.map_err(|error| Failure::Told(error.to_string()))?;
-    put(options.output.as_deref(), Path::new(&options.file), |out| {
-        out.write_all(text.as_bytes())
-    })?;
+    match &options.output {
+        None => print(&text)?,
+        Some(file) => {
+            let made = OpenOptions::new().write(true).create_new(true).open(file);
+            let written = made.and_then(|mut made| made.write_all(text.as_bytes()));
+            written.map_err(|error| Failure::file("write", file, &error))?;
+        }
+    }
     for warning in warnings {
         eprintln!("warning: {warning}");
     }
     Ok(())
+}
+
+/// A line for each format.
+fn listed_formats() -> String {
+    let names = Format::ALL.iter().map(|format| format.name().len());
+    let width = names.max().unwrap_or(0);
+    let line = |format: &Format| format!("{:width$}  {}\n", format.name(), format.about());
+    Format::ALL.iter().map(line).collect()
 }
 
 fn format_named(name: &str) -> Result<Format, Failure> {

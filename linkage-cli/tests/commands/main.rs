@@ -8,6 +8,7 @@ mod drawings;
 mod drawn;
 mod files;
 mod hold;
+mod import;
 mod js;
 mod kept;
 mod machines;

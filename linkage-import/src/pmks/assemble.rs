@@ -178,7 +178,7 @@ fn slot(assembly: &mut Assembly, slide: &PageJoint) -> Result<(), ImportError> {
         }
         None if is_grounded => {
             let text = format!("{}rad", plain(slide.angle));
-            (FRAME, SlotPath::Direction(slide.angle, text))
+            (FRAME, SlotPath::Direction(slide.angle, text, None))
         }
         None => {
             assembly.document.warnings.push(format!(

@@ -311,7 +311,7 @@ impl Builder<'_> {
                     origin: self.point(first, guide),
                     direction: self.document.direction(first, second),
                 },
-                SlotPath::Direction(direction, _) => Equation::Line {
+                SlotPath::Direction(direction, ..) => Equation::Line {
                     pin,
                     origin: self.point(slot.pin, guide),
                     direction,
@@ -362,7 +362,7 @@ impl Builder<'_> {
                         SlotPath::Joints(first, second) => {
                             (first, self.document.direction(first, second))
                         }
-                        SlotPath::Direction(direction, _) => (slot.pin, direction),
+                        SlotPath::Direction(direction, ..) => (slot.pin, direction),
                         SlotPath::Arc { .. } => continue,
                     };
                     Equation::Position {

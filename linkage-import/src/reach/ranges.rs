@@ -1,12 +1,14 @@
 //! Ranges of inputs in which Newton steps from the drawing keep all links joined.
 
+use std::f64::consts::TAU;
+
 use crate::document::{Document, InputKind};
 
 use super::elimination::solve;
 use super::{Pose, System};
 
 /// A step of a crank in radians, and of a length as a part of the size.
-const ANGLE_STEP: f64 = std::f64::consts::TAU / 180.0;
+const ANGLE_STEP: f64 = TAU / 180.0;
 const LENGTH_STEP: f64 = 0.01;
 /// Steps are at least this part of the longest ones.
 const SHORTEST: f64 = 64.0;
@@ -19,6 +21,9 @@ const SMALL_ERROR: f64 = 1e-11;
 const LARGEST_MOVE: f64 = 0.3;
 /// Near dead points the pivots get small.
 const SMALLEST_PIVOT: f64 = 1e-5;
+
+/// A dead point is at the drawing if the way to it is shorter than this part of the margin.
+const NEAR_DEAD_POINT: f64 = 0.5;
 
 /// A range is given up to a dead point but for this part of it.
 const MARGIN: f64 = 0.03;
@@ -125,7 +130,7 @@ impl Walk<'_> {
 fn single(walk: &Walk, document: &Document, kinds: &[InputKind], input: usize) -> [f64; 2] {
     let size = walk.system.size();
     let (step, bounds) = match kinds[input] {
-        InputKind::Crank { .. } => (ANGLE_STEP, [-std::f64::consts::TAU, std::f64::consts::TAU]),
+        InputKind::Crank { .. } => (ANGLE_STEP, [-TAU, TAU]),
         InputKind::Length { link } => {
             let joints = &document.links[link].joints;
             let length = document.distance(joints[0], joints[1]) / size;
@@ -140,46 +145,78 @@ fn single(walk: &Walk, document: &Document, kinds: &[InputKind], input: usize) -
             (LENGTH_STEP, travel.unwrap_or([-LONGEST, LONGEST]))
         }
     };
+    let is_crank = matches!(kinds[input], InputKind::Crank { .. });
     let reach = bounds.map(|bound| reached(walk, kinds.len(), input, bound, step));
-    let [(low, is_low_end), (high, is_high_end)] = reach;
-    if matches!(kinds[input], InputKind::Crank { .. }) && (is_low_end || is_high_end) {
+    if is_crank
+        && reach
+            .iter()
+            .any(|end| end.is_end && is_whole_turn(&end.pose))
+    {
         // A whole turn in one sense is a whole turn in the other one.
-        return [-0.5 * std::f64::consts::TAU, 0.5 * std::f64::consts::TAU];
+        return [-0.5 * TAU, 0.5 * TAU];
     }
-    let margin = MARGIN * (high - low);
-    let low = if is_low_end {
-        low
-    } else {
-        (low + margin).min(0.0)
-    };
-    let high = if is_high_end {
-        high
-    } else {
-        (high - margin).max(0.0)
-    };
-    [low, high]
+    let [low, high] = &reach;
+    let margin = MARGIN * (high.value - low.value);
+    let bounds = reach.each_ref().map(|end| {
+        if end.is_end || end.value.abs() <= margin {
+            end.value
+        } else {
+            end.value - margin.copysign(end.value)
+        }
+    });
+    // A table of positions needs short steps where it begins at a dead point.
+    let is_dead = |end: &Reached| !end.is_end && end.value.abs() < NEAR_DEAD_POINT * margin;
+    if is_crank && (is_dead(low) || is_dead(high)) {
+        return bounds.map(|bound| bound.clamp(-0.25 * TAU, 0.25 * TAU));
+    }
+    bounds
 }
 
-/// Walks towards a bound. Returns the last value that is reached, and true if it is the bound.
-fn reached(walk: &Walk, inputs: usize, input: usize, bound: f64, step: f64) -> (f64, bool) {
-    let mut pose = walk.system.drawn();
-    let mut last = 0.0f64;
+/// Returns true if all bodies are back, up to whole turns.
+fn is_whole_turn(pose: &Pose) -> bool {
+    const CLOSE: f64 = 1e-6;
+    pose.iter().enumerate().all(|(index, value)| {
+        let turned = if index % 3 == 2 {
+            value - TAU * (value / TAU).round()
+        } else {
+            *value
+        };
+        turned.abs() < CLOSE
+    })
+}
+
+/// The end of a walk.
+struct Reached {
+    value: f64,
+    /// True if it is the bound.
+    is_end: bool,
+    pose: Pose,
+}
+
+/// Walks towards a bound, to the last value that is reached.
+fn reached(walk: &Walk, inputs: usize, input: usize, bound: f64, step: f64) -> Reached {
+    let mut end = Reached {
+        value: 0.0,
+        is_end: false,
+        pose: walk.system.drawn(),
+    };
     let mut length = step;
-    while last.abs() < bound.abs() {
-        let next = (last.abs() + length).min(bound.abs()).copysign(bound);
+    while end.value.abs() < bound.abs() {
+        let next = (end.value.abs() + length).min(bound.abs()).copysign(bound);
         let mut values = vec![0.0; inputs];
         values[input] = next;
-        match walk.step(&pose, &values) {
-            Some(found) => {
-                pose = found;
-                last = next;
+        match walk.step(&end.pose, &values) {
+            Some(pose) => {
+                end.pose = pose;
+                end.value = next;
             }
             // Near dead points steps get shorter.
             None if length > step / SHORTEST => length *= 0.5,
-            None => return (last, false),
+            None => return end,
         }
     }
-    (last, true)
+    end.is_end = true;
+    end
 }
 
 /// Returns true if a raster of a box can be reached: all pairs of two inputs, and corners of more.

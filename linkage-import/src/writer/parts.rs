@@ -14,10 +14,10 @@ pub(super) fn joints(document: &Document, spelling: &Spelling, text: &mut String
     let unit = document.unit.name();
     for (joint, name) in document.joints.iter().zip(&spelling.joints) {
         let [x, y] = joint.position.map(plain);
-        let note = if joint.is_derived {
-            " // not in the file"
-        } else {
-            ""
+        let note = match sizes::whole_position(document, joint.position) {
+            _ if joint.is_derived => " // not in the file".to_owned(),
+            Some([x, y]) => format!(" // ({}{unit}, {}{unit}) is within", plain(x), plain(y)),
+            None => String::new(),
         };
         let _ = writeln!(text, "    joint {name} = ({x}{unit}, {y}{unit});{note}");
     }
@@ -80,7 +80,10 @@ pub(super) fn slots(document: &Document, spelling: &Spelling, drives: &[Drive], 
                 let [first, second] = [first, second].map(|joint| &spelling.joints[*joint]);
                 format!("along {first}, {second}")
             }
-            SlotPath::Direction(_, direction) => format!("along {direction}"),
+            SlotPath::Direction(_, direction, None) => format!("along {direction}"),
+            SlotPath::Direction(_, direction, Some(joint)) => {
+                format!("along {direction} through {}", spelling.joints[*joint])
+            }
             SlotPath::Arc { centre, .. } => format!("around {}", spelling.joints[*centre]),
         };
         let block = slot.block.map_or_else(String::new, |block| {

@@ -9,6 +9,9 @@ use crate::number::{plain, short};
 use super::comment;
 use super::spelling::Spelling;
 
+/// Wider bands contain whole numbers nearly always.
+const WIDE: f64 = 0.25;
+
 /// A slot is told to miss its pin by more than this part of the size.
 const MISS: f64 = 1e-9;
 
@@ -47,7 +50,7 @@ pub(super) fn of_link(
         let decimals = (1.0 - band.log10().floor()).clamp(0.0, 12.0) as usize;
         let _ = write!(text, "{length:.decimals$} +-{}{unit}", short(band));
         let whole = length.round();
-        if whole > 0.0 && (length - whole).abs() <= band {
+        if whole > 0.0 && (length - whole).abs() <= band && band < WIDE {
             let _ = write!(text, "; {whole}{unit} is within");
         }
         text.push('\n');
@@ -91,6 +94,14 @@ pub(super) fn of_slot(document: &Document, slot: &Slot, text: &mut String) {
             short(miss.abs())
         );
     }
+}
+
+/// Returns the whole numbers that coordinates may have been, unless they are these.
+pub(super) fn whole_position(document: &Document, position: [f64; 2]) -> Option<[f64; 2]> {
+    let whole = position.map(f64::round);
+    let is_within = |axis: usize| (position[axis] - whole[axis]).abs() <= document.band;
+    let is_near = is_within(0) && is_within(1) && document.band < WIDE;
+    (is_near && whole != position).then_some(whole)
 }
 
 fn short_radius(radius: f64) -> String {

@@ -113,7 +113,7 @@ pub(crate) fn facts(name: &str) -> Facts {
     });
     let (names, fixed) = (names.collect(), list(&value["fixed"]));
     let (slots, inputs) = (straight.chain(curved).collect(), inputs.collect());
-    Facts {
+    let mut facts = Facts {
         size: size(&joints),
         joints,
         fixed,
@@ -121,6 +121,25 @@ pub(crate) fn facts(name: &str) -> Facts {
         slots,
         inputs,
         names,
+    };
+    mark_guides(&mut facts);
+    facts
+}
+
+/// A guide with one joint has a direction only with a point on its slot.
+fn mark_guides(facts: &mut Facts) {
+    for slot in &facts.slots {
+        let Some(joints) = facts.links.get_mut(&slot.guide) else {
+            continue;
+        };
+        if joints.len() == 1 && matches!(slot.path, Path::Direction(_)) {
+            joints.push(facts.joints.len());
+            facts
+                .names
+                .push(format!("line_of_{}", facts.names[slot.pin]));
+            let position = facts.joints[slot.pin].1;
+            facts.joints.push(("line".to_owned(), position));
+        }
     }
 }
 

@@ -5,5 +5,6 @@ mod files;
 mod motion;
 mod mutations;
 mod newton;
+mod page;
 mod readers;
 mod refusals;

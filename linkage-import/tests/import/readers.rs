@@ -30,6 +30,7 @@ fn linkage_stores_parts_of_an_inch_whatever_its_unit() {
     let text = of_text(&linkage("units=\"Millimeters\"", ""), "a.linkage2").text;
     assert!(text.contains("c1 = (0mm, 10.0000001083mm)"), "{text}");
     assert!(text.contains("10mm is within"), "{text}");
+    assert!(text.contains("// (0mm, 10mm) is within"), "{text}");
     let text = of_text(&linkage("units=\"Inches\"", ""), "a.linkage2").text;
     assert!(text.contains("unit inch;"), "{text}");
     assert!(text.contains("0.393700791667inch"), "{text}");
@@ -198,6 +199,8 @@ fn pyslvs_names_the_guide_first() {
         text("RP")
     );
     assert!(text("P").contains("slider slot_p2: p2 on frame along 45deg, block c;"));
+    // Several links do not turn in one slot, so that they are one body.
+    assert!(text("P").contains("link c: p1, p2, p3;"), "{}", text("P"));
     // Four decimals are written, and zeros at their end are cut.
     assert!(text("P").contains("may be wrong by 0.00005mm"));
 }

@@ -45,7 +45,7 @@ pub(super) fn resolve_expression(
             let components = operands.resolve_all(sink, components);
             make_vector(&scope.names, &scope.units, sink, components, span)
         }
-        syntax::ExprKind::Field(value, field) => match scope.parts.part_named(value) {
+        syntax::ExprKind::Field(value, field) => match scope.parts.owner_of(value, field) {
             Some(path) => resolve_member(
                 &scope.names,
                 &scope.parts,

@@ -4,8 +4,10 @@ use proc_macro2::{Ident, TokenStream};
 use syn::LitStr;
 use syn::ext::IdentExt;
 
-use super::expression_tree::{Expr, ExprKind};
+use super::expression_tree::{Expr, ExprKind, Toleranced};
+use super::item_name::ItemName;
 use super::keyword::{DeclarationWord, ItemWord, LoadWord};
+use super::linked_tree::LinkedItem;
 use super::mechanics_tree::{BodyItem, ElementItem, JointItem, LoadItem, Member};
 use crate::diagnostic::SourceSpan;
 
@@ -72,6 +74,8 @@ pub enum Item {
     Torque(LoadItem),
     Spring(ElementItem),
     Damper(ElementItem),
+    /// A joint, a link or the like. `model::links` replaces all of them by other items.
+    Linked(LinkedItem),
 }
 
 /// `unit mm;`
@@ -84,14 +88,14 @@ pub struct UnitItem {
 /// `const NAME = expr;`, `let NAME = expr;`
 #[derive(Debug)]
 pub struct NamedItem {
-    pub name: Ident,
+    pub name: ItemName,
     pub value: Expr,
 }
 
 /// `unknown NAME = expr;`, `unknown NAME;`
 #[derive(Debug)]
 pub struct UnknownItem {
-    pub name: Ident,
+    pub name: ItemName,
     pub estimate: Option<Expr>,
 }
 
@@ -99,24 +103,8 @@ pub struct UnknownItem {
 #[derive(Debug)]
 pub struct ParamItem {
     pub attributes: Vec<Attribute>,
-    pub name: Ident,
+    pub name: ItemName,
     pub value: Toleranced,
-}
-
-/// A parameter's value: one expression with a tolerance, or a vector whose components have
-/// tolerances.
-#[derive(Debug)]
-pub enum Toleranced {
-    /// `nominal [+- tolerance]`; the nominal value may be a scalar or a vector.
-    Single {
-        nominal: Expr,
-        tolerance: Option<Expr>,
-    },
-    /// `(x [+- tx], y [+- ty])` where at least one component has a tolerance.
-    Components {
-        components: Vec<(Expr, Option<Expr>)>,
-        span: SourceSpan,
-    },
 }
 
 /// `input NAME = expr [in lo..hi] [at SPEED [, ACCELERATION]];`
@@ -229,6 +217,7 @@ impl Item {
             Item::Torque(_) => ItemWord::Load(LoadWord::Torque),
             Item::Spring(_) => ItemWord::Load(LoadWord::Spring),
             Item::Damper(_) => ItemWord::Load(LoadWord::Damper),
+            Item::Linked(item) => ItemWord::Linked(item.word()),
         }
     }
 }

@@ -2,9 +2,10 @@
 
 use std::fmt::{self, Display, Formatter};
 
-use super::ast::{InputItem, Item, MechanismDef, PartItem, Toleranced};
-use super::expression_tree::{BinaryOp, Expr, ExprKind};
+use super::ast::{InputItem, Item, MechanismDef, PartItem};
+use super::expression_tree::{BinaryOp, Expr, ExprKind, Toleranced};
 use super::keyword::JointKind;
+use super::linked_tree::{LinkItem, LinkedItem, SlidePath, SliderItem, WheelsItem};
 use super::mechanics_tree::{Between, BodyItem, ElementItem, JointItem, LoadItem, Member};
 use super::vocabulary::Word;
 
@@ -58,6 +59,7 @@ impl Display for Line<'_> {
             Item::Joint(item) => write!(f, "{item}"),
             Item::Force(item) | Item::Torque(item) => write!(f, "{item}"),
             Item::Spring(item) | Item::Damper(item) => write!(f, "{item}"),
+            Item::Linked(item) => write!(f, "{item}"),
         }
     }
 }
@@ -220,5 +222,74 @@ impl Display for BinaryOp {
             BinaryOp::Mul => "*",
             BinaryOp::Div => "/",
         })
+    }
+}
+
+impl Display for LinkedItem {
+    fn fmt(&self, f: &mut Formatter) -> fmt::Result {
+        match self {
+            LinkedItem::Joints(joints) => {
+                let joints = joints.iter();
+                let joints = joints.map(|joint| format!("{} = {}", joint.name, joint.position));
+                f.write_str(&joints.collect::<Vec<_>>().join(", "))
+            }
+            LinkedItem::Link(item) => write!(f, "{item}"),
+            LinkedItem::Slider(item) => write!(f, "{item}"),
+            LinkedItem::Gears(item) | LinkedItem::Belt(item) => write!(f, "{item}"),
+            LinkedItem::Weld(item) => {
+                let links: Vec<String> = item.links.iter().map(ToString::to_string).collect();
+                f.write_str(&links.join(", "))
+            }
+        }
+    }
+}
+
+impl Display for LinkItem {
+    fn fmt(&self, f: &mut Formatter) -> fmt::Result {
+        write!(f, "{}:", self.name)?;
+        for (index, joint) in self.joints.iter().enumerate() {
+            f.write_str(if index == 0 { " " } else { ", " })?;
+            write!(f, "{}", joint.name)?;
+            optional(f, " = ", joint.coordinates.as_ref())?;
+        }
+        optional(f, " at ", self.at.as_ref())?;
+        optional(f, " length ", self.length.as_ref())?;
+        optional(f, " about ", self.about.as_ref())?;
+        for part in &self.masses {
+            write!(f, ", mass {} at {}", part.mass, part.at)?;
+        }
+        for part in &self.inertias {
+            write!(f, ", inertia {}", part.inertia)?;
+            optional(f, " at ", part.at.as_ref())?;
+        }
+        Ok(())
+    }
+}
+
+impl Display for SliderItem {
+    fn fmt(&self, f: &mut Formatter) -> fmt::Result {
+        write!(f, "{}: {} on {}", self.name, self.pin, self.guide)?;
+        match &self.path {
+            SlidePath::Line([first, second]) => write!(f, " along {first}, {second}")?,
+            SlidePath::Direction { angle, through } => {
+                write!(f, " along {angle}")?;
+                optional(f, " through ", through.as_ref())?;
+            }
+            SlidePath::Arc { centre, radius } => {
+                write!(f, " around {centre}")?;
+                optional(f, " radius ", radius.as_ref())?;
+            }
+        }
+        optional(f, ", block ", self.block.as_ref())?;
+        optional(f, ", at ", self.at.as_ref())
+    }
+}
+
+impl Display for WheelsItem {
+    fn fmt(&self, f: &mut Formatter) -> fmt::Result {
+        let ([first, second], [one, other]) = (&self.wheels, &self.sizes);
+        write!(f, "{first}, {second}")?;
+        optional(f, " on ", self.carrier.as_ref())?;
+        write!(f, " teeth {one}, {other}")
     }
 }

@@ -37,6 +37,22 @@ pub enum ExprKind {
     Error,
 }
 
+/// A parameter's value: one expression with a tolerance, or a vector whose components have
+/// tolerances.
+#[derive(Clone, Debug)]
+pub enum Toleranced {
+    /// `nominal [+- tolerance]`; the nominal value may be a scalar or a vector.
+    Single {
+        nominal: Expr,
+        tolerance: Option<Expr>,
+    },
+    /// `(x [+- tx], y [+- ty])` where at least one component has a tolerance.
+    Components {
+        components: Vec<(Expr, Option<Expr>)>,
+        span: SourceSpan,
+    },
+}
+
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum BinaryOp {
     Add,

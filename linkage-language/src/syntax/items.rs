@@ -2,11 +2,9 @@
 
 use proc_macro2::Delimiter;
 
-use super::ast::{
-    Attribute, Item, LoopItem, NamedItem, ParamItem, Toleranced, UnitItem, UnknownItem,
-};
+use super::ast::{Attribute, Item, LoopItem, NamedItem, ParamItem, UnitItem, UnknownItem};
 use super::expression::PlusMinus;
-use super::expression_tree::Expr;
+use super::expression_tree::{Expr, Toleranced};
 use super::joints::{Kind, other_word};
 use super::keyword::{ClauseWord, DeclarationWord, ItemWord, JointKind, LoadWord};
 use super::parser::{Parsed, Parser};
@@ -61,6 +59,10 @@ impl Parser<'_> {
         match word {
             ItemWord::Declaration(word) => self.declaration(word, attributes, start),
             ItemWord::Joint(kind) => self.joint_item(Kind { kind, span: start }),
+            ItemWord::Linked(word) => {
+                let item = Item::Linked(self.linked_item(word, start)?);
+                Ok((item, self.end_of_item().is_ok()))
+            }
             ItemWord::Load(word) => {
                 let item = match word {
                     LoadWord::Force => Item::Force(self.force_item(start)?),
@@ -105,7 +107,7 @@ impl Parser<'_> {
         };
         let item = ParamItem {
             attributes,
-            name,
+            name: name.into(),
             value: value.unwrap_or_else(lost),
         };
         Ok((Item::Param(item), complete))
@@ -130,7 +132,7 @@ impl Parser<'_> {
         };
         let (value, complete) = self.value(help, |parser| parser.sum(plus_minus));
         let item = NamedItem {
-            name,
+            name: name.into(),
             value: value.unwrap_or_else(Expr::error),
         };
         Ok((make(item), complete))
@@ -139,6 +141,7 @@ impl Parser<'_> {
     /// `NAME [= expr] ;` after `unknown`, and whether its end has been reached.
     fn unknown_item(&mut self) -> Parsed<(Item, bool)> {
         let name = self.name("a name after `unknown`")?;
+        let name = name.into();
         let item = |estimate| Item::Unknown(UnknownItem { name, estimate });
         if self.stream.eat_punct(';') {
             return Ok((item(None), true));

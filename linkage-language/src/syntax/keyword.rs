@@ -8,6 +8,7 @@ vocabulary! {
         Declaration(DeclarationWord),
         Joint(JointKind),
         Load(LoadWord),
+        Linked(LinkedWord),
     }
 }
 
@@ -35,6 +36,18 @@ vocabulary! {
         Torque = "torque",
         Spring = "spring",
         Damper = "damper",
+    }
+}
+
+vocabulary! {
+    /// Items that describe a mechanism by its joints and links.
+    pub enum LinkedWord {
+        Joint = "joint",
+        Link = "link",
+        Slider = "slider",
+        Gears = "gears",
+        Belt = "belt",
+        Weld = "weld",
     }
 }
 

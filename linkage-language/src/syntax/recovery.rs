@@ -2,7 +2,7 @@
 
 use proc_macro2::TokenTree;
 
-use super::keyword::{ClauseWord, DeclarationWord, ItemWord, is_keyword};
+use super::keyword::{ClauseWord, DeclarationWord, ItemWord, LinkedWord, is_keyword};
 use super::parser::{Parsed, Parser};
 use super::vocabulary::Word;
 
@@ -50,6 +50,12 @@ impl Parser<'_> {
                 name != "in" && (!is_clause || equals_follows)
             }
             ItemWord::Load(_) => !is_clause,
+            // Their words can be names of values: `link` in `loop a = link redundant`.
+            ItemWord::Linked(LinkedWord::Joint) => equals_follows,
+            ItemWord::Linked(LinkedWord::Link | LinkedWord::Slider) => self.stream.is_punct(2, ':'),
+            ItemWord::Linked(LinkedWord::Gears | LinkedWord::Belt | LinkedWord::Weld) => {
+                self.stream.is_punct(2, ',')
+            }
             ItemWord::Declaration(_) | ItemWord::Joint(_) => equals_follows,
         }
     }
@@ -72,6 +78,7 @@ impl Parser<'_> {
                 begins_value && self.clause_before_semicolon()
             }
             ItemWord::Declaration(word) if names_without_equals(word) => false,
+            ItemWord::Linked(_) => false,
             ItemWord::Declaration(_) | ItemWord::Joint(_) => self.stream.is_punct(1, '='),
         }
     }

@@ -1,8 +1,7 @@
 //! Values of parameters: nominal values with tolerances.
 
-use super::ast::Toleranced;
 use super::expression::PlusMinus;
-use super::expression_tree::{Expr, ExprKind};
+use super::expression_tree::{Expr, ExprKind, Toleranced};
 use super::parser::{Parsed, Parser};
 use crate::diagnostic::SourceSpan;
 

@@ -89,7 +89,7 @@ fn param(name: &str, attributes: Vec<Attribute>, nominal: syntax::Expr) -> Item 
     };
     Item::Param(ParamItem {
         attributes,
-        name: format_ident!("{name}"),
+        name: format_ident!("{name}").into(),
         value,
     })
 }
@@ -127,7 +127,7 @@ fn def() -> MechanismDef {
         span: here(),
     };
     let a = NamedItem {
-        name: format_ident!("a"),
+        name: format_ident!("a").into(),
         value: call("polar", vec![name("crank"), name("phi")]),
     };
     let rates = call("velocity", vec![name("a")]);
@@ -141,7 +141,7 @@ fn def() -> MechanismDef {
         items: vec![
             Item::Param(ParamItem {
                 attributes: vec![],
-                name: format_ident!("pivot"),
+                name: format_ident!("pivot").into(),
                 value: pivot,
             }),
             param("crank", vec![doc(" Length of the crank.")], number("10")),

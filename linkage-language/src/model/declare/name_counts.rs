@@ -1,10 +1,8 @@
 //! Numbers of names: each kind is counted by itself, in the order of declaration.
 
-use proc_macro2::Ident;
-
 use crate::model::symbols::frame_kind::FrameKind;
 use crate::model::types::Name;
-use crate::syntax::Item;
+use crate::syntax::{Item, ItemName};
 
 /// Numbers of names of each kind so far.
 #[derive(Default)]
@@ -41,17 +39,23 @@ impl Counts {
 
     /// Returns the name of the value that an item declares. Bodies and joints have names of another
     /// kind.
-    pub(in crate::model) fn next_name<'i>(&mut self, item: &'i Item) -> Option<(&'i Ident, Name)> {
+    pub(in crate::model) fn next_name(&mut self, item: &Item) -> Option<(ItemName, Name)> {
         Some(match item {
-            Item::Const(item) => (&item.name, Name::Const(next(&mut self.constants))),
-            Item::Param(item) => (&item.name, Name::Parameter(next(&mut self.parameters))),
-            Item::Input(item) => (&item.name, Name::Input(next(&mut self.inputs))),
+            Item::Const(item) => (item.name.clone(), Name::Const(next(&mut self.constants))),
+            Item::Param(item) => (
+                item.name.clone(),
+                Name::Parameter(next(&mut self.parameters)),
+            ),
+            Item::Input(item) => (
+                item.name.clone().into(),
+                Name::Input(next(&mut self.inputs)),
+            ),
             Item::Unknown(item) if item.is_frame() => {
-                (&item.name, Name::Let(next(&mut self.frames)))
+                (item.name.clone(), Name::Let(next(&mut self.frames)))
             }
-            Item::Unknown(item) => (&item.name, Name::Unknown(next(&mut self.unknowns))),
-            Item::Let(item) => (&item.name, Name::Let(next(&mut self.lets))),
-            Item::Argument(item) => (&item.name, Name::Argument(next(&mut self.arguments))),
+            Item::Unknown(item) => (item.name.clone(), Name::Unknown(next(&mut self.unknowns))),
+            Item::Let(item) => (item.name.clone(), Name::Let(next(&mut self.lets))),
+            Item::Argument(item) => (item.name.clone(), Name::Argument(next(&mut self.arguments))),
             // Names that parts declare come after all others.
             Item::Part(_) => return None,
             Item::Unit(_)
@@ -62,7 +66,8 @@ impl Counts {
             | Item::Force(_)
             | Item::Torque(_)
             | Item::Spring(_)
-            | Item::Damper(_) => return None,
+            | Item::Damper(_)
+            | Item::Linked(_) => return None,
         })
     }
 }

@@ -118,6 +118,9 @@ pub(in crate::model) fn declare_names_of_parts(
                 is_unknown_frame: false,
                 span: *span,
             };
+            if text.contains('.') {
+                parts.quantities.insert(symbol.text.clone());
+            }
             names.add_symbol(symbol);
         }
         parts.scopes[part].body = Some(body);

@@ -88,6 +88,8 @@ impl<'a> Passes<'a> {
                 Item::Torque(item) => passes.mechanics.push(Mechanical::Torque(item)),
                 Item::Spring(item) => passes.mechanics.push(Mechanical::Spring(item)),
                 Item::Damper(item) => passes.mechanics.push(Mechanical::Damper(item)),
+                // Other items have taken their place.
+                Item::Linked(_) => {}
             }
         }
         passes

@@ -1,7 +1,5 @@
 //! Declaration of all names of a struct block, before any item is resolved.
 
-use proc_macro2::Ident;
-
 use super::name_counts::{Counts, next};
 use super::part_names::{declare_names_of_parts, declare_part};
 use crate::model::expression::refused_names::{check_new_name, check_reserved};
@@ -15,7 +13,7 @@ use crate::model::symbols::sink::Sink;
 use crate::model::symbols::values::Values;
 use crate::model::symbols::zeros::Zeros;
 use crate::model::types::{Name, Type};
-use crate::syntax::{InputItem, Item};
+use crate::syntax::{InputItem, Item, ItemName};
 
 /// Declares all names of the struct block.
 pub(in crate::model) fn declare_names(source: &Source, zeros: Zeros, sink: &mut Sink) -> Scope {
@@ -31,8 +29,18 @@ pub(in crate::model) fn declare_names(source: &Source, zeros: Zeros, sink: &mut 
     let mut counts = Counts::new(&definition.items);
     let mut parts = source.parts.iter();
     for (position, item) in definition.items.iter().enumerate() {
-        if let Some((ident, name)) = counts.next_name(item) {
-            declare(&mut scope.names, &scope.parts, sink, ident, position, name);
+        if let Some((declared, name)) = counts.next_name(item) {
+            if declared.is_of_link() {
+                scope.parts.quantities.insert(declared.to_string());
+            }
+            declare(
+                &mut scope.names,
+                &scope.parts,
+                sink,
+                &declared,
+                position,
+                name,
+            );
         }
         if let (Item::Unknown(item), Some(symbol)) = (item, scope.names.symbols.last_mut()) {
             symbol.is_unknown_frame = item.is_frame();
@@ -75,7 +83,7 @@ fn declare_rates(
             &mut scope.names,
             &scope.parts,
             sink,
-            ident,
+            &ident.clone().into(),
             item,
             Name::Argument(argument),
         );
@@ -88,19 +96,19 @@ fn declare(
     names: &mut Names,
     parts: &Parts,
     sink: &mut Sink,
-    ident: &Ident,
+    declared: &ItemName,
     item: usize,
     name: Name,
 ) {
-    check_reserved(sink, ident);
-    check_new_name(names, parts, sink, ident);
+    check_reserved(sink, declared);
+    check_new_name(names, parts, sink, declared);
     names.add_symbol(Symbol {
         name,
-        text: ident.to_string(),
+        text: declared.to_string(),
         ty: Type::Error,
         item,
         bare_zero: false,
         is_unknown_frame: false,
-        span: ident.into(),
+        span: declared.into(),
     });
 }

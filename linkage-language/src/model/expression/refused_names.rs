@@ -1,5 +1,7 @@
 //! Names that cannot be: unknown, defined twice, reserved.
 
+use std::fmt::Display;
+
 use proc_macro2::Ident;
 
 use crate::diagnostic::SourceSpan;
@@ -81,12 +83,15 @@ fn is_constant_of_rust(text: &str) -> bool {
 }
 
 /// Reports a name that has another meaning already. Returns true if it has none.
-pub(in crate::model) fn check_new_name(
+pub(in crate::model) fn check_new_name<'n, N: Display>(
     names: &Names,
     parts: &Parts,
     sink: &mut Sink,
-    ident: &Ident,
-) -> bool {
+    ident: &'n N,
+) -> bool
+where
+    SourceSpan: From<&'n N>,
+{
     let text = ident.to_string();
     let symbol = names.find(&text).map(|symbol| symbol.span);
     let mut parts = parts.scopes.iter();
@@ -111,7 +116,10 @@ pub(in crate::model) fn report_duplicate(
     sink.error(first, format!("`{text}` is first defined here"));
 }
 
-pub(in crate::model) fn check_reserved(sink: &mut Sink, ident: &Ident) {
+pub(in crate::model) fn check_reserved<'n, N: Display>(sink: &mut Sink, ident: &'n N)
+where
+    SourceSpan: From<&'n N>,
+{
     let text = ident.to_string();
     if text.starts_with("__") {
         let fact = format!("the name `{text}` starts with `__`, which generated code uses");

@@ -82,7 +82,8 @@ pub(in crate::model) fn resolve_parameter(
         documentation: documentation(&item.attributes),
         ty,
         origin: sink.add_origin((&item.name).into()),
-        may_be_unused: item.attributes.iter().any(Attribute::allows_unused),
+        may_be_unused: item.name.is_of_link()
+            || item.attributes.iter().any(Attribute::allows_unused),
         nominal,
         tolerances,
         first_scalar,

@@ -1,6 +1,9 @@
 //! Parts: mechanisms within a mechanism, their names there and the expressions that they are given.
 
+use std::collections::BTreeSet;
 use std::rc::Rc;
+
+use proc_macro2::Ident;
 
 use crate::diagnostic::SourceSpan;
 use crate::model::library::Model;
@@ -67,25 +70,40 @@ pub(in crate::model) struct Parts {
     pub(in crate::model) scopes: Vec<PartScope>,
     /// Locations of parts, as far as they have been read.
     pub(in crate::model) placed: Vec<Placed>,
+    /// Names of quantities of links: `crank.length`, `hook.crank.length`.
+    pub(in crate::model) quantities: BTreeSet<String>,
 }
 
 impl Parts {
     /// Returns the name that an expression is, after the names of its parts: `phi`, `hook.tip`,
-    /// `machine.hook.tip`.
+    /// `machine.hook.tip`, or after that of its link: `crank.length`.
     pub(in crate::model) fn dotted(&self, expr: &syntax::Expr) -> Option<String> {
         match &expr.kind {
             syntax::ExprKind::Name(ident) => Some(ident.to_string()),
             syntax::ExprKind::Field(value, field) => {
                 let path = self.dotted(value)?;
-                self.is_part(&path).then(|| format!("{path}.{field}"))
+                self.has_members(&path, field)
+                    .then(|| format!("{path}.{field}"))
             }
             _ => None,
         }
     }
 
-    /// Returns the part that an expression is.
-    pub(in crate::model) fn part_named(&self, expr: &syntax::Expr) -> Option<String> {
-        self.dotted(expr).filter(|path| self.is_part(path))
+    /// Returns the part, or the link with such a quantity, that an expression is.
+    pub(in crate::model) fn owner_of(&self, expr: &syntax::Expr, member: &Ident) -> Option<String> {
+        self.dotted(expr)
+            .filter(|path| self.has_members(path, member))
+    }
+
+    /// Returns true for a part, and for a link that has this quantity.
+    fn has_members(&self, path: &str, member: &Ident) -> bool {
+        let quantity = format!("{path}.{member}");
+        let mut quantities = self.quantities.iter();
+        self.is_part(path)
+            || quantities.any(|name| {
+                let rest = name.strip_prefix(&quantity);
+                rest.is_some_and(|rest| rest.is_empty() || rest.starts_with('.'))
+            })
     }
 
     /// Returns true for the name of a part, or of a part of one.

@@ -6,6 +6,7 @@ mod dimensions;
 mod frames;
 mod golden;
 mod item_messages;
+mod links;
 mod mechanics;
 mod messages;
 mod mutations;
@@ -13,7 +14,7 @@ mod units;
 
 use std::rc::Rc;
 
-use super::{Library, Mechanism, resolve};
+use super::{Library, Mechanism, expand, resolve};
 use crate::diagnostic::Diagnostics;
 use crate::syntax::parse;
 
@@ -21,7 +22,8 @@ use crate::syntax::parse;
 pub(super) fn model(source: &str) -> (Option<Mechanism>, Vec<String>) {
     let mut diagnostics = Diagnostics::default();
     let tokens = source.parse().expect("the source has tokens");
-    let definition = parse(tokens, &mut diagnostics).pop();
+    let definitions = parse(tokens, &mut diagnostics);
+    let definition = expand(definitions, &mut diagnostics).pop();
     let library = Library::default();
     let model = definition.and_then(|definition| resolve(&definition, &library, &mut diagnostics));
     let mechanism = model.map(|model| model.mechanism);
@@ -35,6 +37,7 @@ fn last_of(source: &str) -> (Option<Mechanism>, Vec<String>) {
     let mut diagnostics = Diagnostics::default();
     let tokens = source.parse().expect("the source has tokens");
     let definitions = parse(tokens, &mut diagnostics);
+    let definitions = expand(definitions, &mut diagnostics);
     let mut library = Library::default();
     let mut last = None;
     for definition in &definitions {
@@ -63,6 +66,7 @@ const TWO_INPUTS: &str = include_str!("two_inputs.mech");
 const SPATIAL: &str = include_str!("spatial.mech");
 const PRESS: &str = include_str!("press.mech");
 const SPACE_FORCES: &str = include_str!("space_forces.mech");
+const LINKS: &str = include_str!("links.mech");
 
 #[test]
 fn the_largest_expressions_fit_the_stack() {

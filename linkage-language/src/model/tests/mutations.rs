@@ -3,9 +3,9 @@
 use linkage_random::Random;
 use proc_macro2::{Group, TokenStream, TokenTree};
 
-use super::{CRANK_ROCKER, PRESS, SPACE_FORCES, SPATIAL, TWO_INPUTS};
+use super::{CRANK_ROCKER, LINKS, PRESS, SPACE_FORCES, SPATIAL, TWO_INPUTS};
 use crate::diagnostic::Diagnostics;
-use crate::model::{Library, resolve};
+use crate::model::{Library, expand, resolve};
 use crate::syntax::{dump, parse};
 
 /// All tokens, those inside of groups too.
@@ -45,7 +45,14 @@ fn mutate(tokens: TokenStream, pool: &[TokenTree], random: &mut Random) -> Token
 #[test]
 fn mutated_mechanisms_do_not_panic() {
     let mut random = Random::new(1);
-    let samples: Vec<TokenStream> = [CRANK_ROCKER, TWO_INPUTS, SPATIAL, PRESS, SPACE_FORCES]
+    let mut sources = vec![CRANK_ROCKER, TWO_INPUTS, SPATIAL, PRESS, SPACE_FORCES];
+    // The last mechanism of a text is the one that is resolved below.
+    sources.extend(
+        LINKS
+            .split_inclusive("\n}\n")
+            .filter(|source| source.contains("struct")),
+    );
+    let samples: Vec<TokenStream> = sources
         .iter()
         .map(|source| source.parse().expect("the source has tokens"))
         .collect();
@@ -59,7 +66,9 @@ fn mutated_mechanisms_do_not_panic() {
             tokens = mutate(tokens, &pool, &mut random);
         }
         let mut diagnostics = Diagnostics::default();
-        let Some(definition) = parse(tokens, &mut diagnostics).pop() else {
+        let definitions = parse(tokens, &mut diagnostics);
+        let definitions = expand(definitions, &mut diagnostics);
+        let Some(definition) = definitions.into_iter().next_back() else {
             assert!(!diagnostics.is_empty());
             continue;
         };

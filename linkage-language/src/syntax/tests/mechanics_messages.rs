@@ -332,7 +332,7 @@ fn inputs_and_the_rest() {
         ),
         (
             "joint b = a on b at p;",
-            "expected an item, found `joint`\nhelp: items are unit const param input unknown let loop argument part gravity body pin slide roller ball cylinder fixed force torque spring damper",
+            "expected `;`, found `on`\nhelp: write `a * on` for a product",
         ),
         (
             "mass 3 at p;",

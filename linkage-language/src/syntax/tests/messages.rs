@@ -140,7 +140,7 @@ fn items() {
             "42;",
             "expected an item, found `42`\nhelp: items are unit const param",
         ),
-        ("gear a = 1;", "help: items are"),
+        ("gear a = 1;", "help: did you mean `gears`?"),
         (
             "hinge a = b on c at d;",
             "expected an item, found `hinge`\nhelp: did you mean `pin`?",

@@ -1,0 +1,285 @@
+//! The drawing: positions of joints at the reference, as expressions of numbers and as numbers.
+
+use std::collections::BTreeMap;
+
+use proc_macro2::Ident;
+
+use super::linkage::{FRAME, Linkage};
+use super::nodes::{difference, name};
+use crate::syntax::{
+    BinaryOp, Expr, ExprKind, Item, LinkedItem, MechanismDef, Scale, Toleranced, find_unit,
+};
+
+/// Nested names and operations of a drawn position: more are a mistake, or a circle of names.
+const DEPTH: usize = 64;
+
+pub(super) struct Drawing {
+    values: Values,
+    /// The position of each joint; `None` for points that are not drawn.
+    pub(super) positions: Vec<Option<Expr>>,
+}
+
+/// What names are at the reference.
+struct Values {
+    constants: BTreeMap<String, Expr>,
+    /// Parameters, inputs, joints, estimates and what is derived from them.
+    others: BTreeMap<String, Expr>,
+}
+
+pub(super) fn drawing(definition: &MechanismDef, linkage: &Linkage) -> Drawing {
+    let values = values(definition);
+    let joints = linkage.joints.iter();
+    let positions = joints
+        .map(|joint| {
+            let drawn = at_reference(&values, &name(&joint.name), DEPTH);
+            (joint.drawn.is_some() || is_constant(&values, &drawn)).then_some(drawn)
+        })
+        .collect();
+    Drawing { values, positions }
+}
+
+/// Returns the values that the names of a struct block have at the reference, as far as they are
+/// known.
+fn values(definition: &MechanismDef) -> Values {
+    let mut values = Values {
+        constants: BTreeMap::new(),
+        others: BTreeMap::new(),
+    };
+    let mut add = |name: String, value: Expr| {
+        values.others.insert(name, value);
+    };
+    for item in &definition.items {
+        match item {
+            Item::Param(item) => add(item.name.to_string(), nominal(&item.value)),
+            Item::Input(item) => add(item.name.to_string(), item.value.clone()),
+            Item::Let(item) => add(item.name.to_string(), item.value.clone()),
+            Item::Unknown(item) => {
+                if let Some(estimate) = &item.estimate {
+                    add(item.name.to_string(), estimate.clone());
+                }
+            }
+            Item::Linked(LinkedItem::Joints(joints)) => {
+                for joint in joints {
+                    add(joint.name.to_string(), nominal(&joint.position));
+                }
+            }
+            // No other item has a value at the reference.
+            _ => {}
+        }
+    }
+    for item in &definition.items {
+        if let Item::Const(item) = item {
+            values
+                .constants
+                .insert(item.name.to_string(), item.value.clone());
+        }
+    }
+    values
+}
+
+fn is_constant(values: &Values, expr: &Expr) -> bool {
+    names(expr).into_iter().all(|name| {
+        let text = name.to_string();
+        text == "PI" || values.constants.contains_key(&text)
+    })
+}
+
+/// Returns a value without its tolerances.
+pub(super) fn nominal(value: &Toleranced) -> Expr {
+    match value {
+        Toleranced::Single { nominal, .. } => nominal.clone(),
+        Toleranced::Components { components, span } => {
+            let components = components.iter().map(|(nominal, _)| nominal.clone());
+            Expr {
+                kind: ExprKind::Tuple(components.collect()),
+                span: *span,
+            }
+        }
+    }
+}
+
+impl Drawing {
+    /// Returns the vector from one joint to another.
+    pub(super) fn vector(&self, from: usize, to: usize) -> Option<Expr> {
+        let from = self.positions[from].clone()?;
+        Some(difference(self.positions[to].clone()?, from))
+    }
+
+    /// Returns true for an expression of numbers and constants alone.
+    pub(super) fn is_constant(&self, expr: &Expr) -> bool {
+        is_constant(&self.values, expr)
+    }
+
+    /// Returns an expression with the values that parameters and inputs have at the reference.
+    pub(super) fn at_reference(&self, expr: &Expr) -> Expr {
+        at_reference(&self.values, expr, DEPTH)
+    }
+
+    /// Returns the number of an expression in radians or metres, if it has one.
+    pub(super) fn number(&self, expr: &Expr) -> Option<f64> {
+        match self.evaluate(expr, DEPTH)?[..] {
+            [value] => Some(value),
+            _ => None,
+        }
+    }
+
+    /// Returns the coordinates of a vector of the plane.
+    pub(super) fn coordinates(&self, vector: &Expr) -> Option<[f64; 2]> {
+        match self.evaluate(vector, DEPTH)?[..] {
+            [x, y] => Some([x, y]),
+            _ => None,
+        }
+    }
+
+    /// Returns the components of an expression.
+    fn evaluate(&self, expr: &Expr, depth: usize) -> Option<Vec<f64>> {
+        let depth = depth.checked_sub(1)?;
+        let scalar = |expr: &Expr| match self.evaluate(expr, depth)?[..] {
+            [value] => Some(value),
+            _ => None,
+        };
+        Some(match &expr.kind {
+            ExprKind::Number { text, suffix } => {
+                let number: f64 = text.parse().ok()?;
+                let scale = match suffix.as_str() {
+                    "" => 1.0,
+                    unit => factor(find_unit(unit)?.scale),
+                };
+                vec![number * scale]
+            }
+            ExprKind::Name(name) => {
+                let text = name.to_string();
+                let values = &self.values;
+                let value = values.constants.get(&text).or(values.others.get(&text));
+                match value {
+                    Some(value) => self.evaluate(value, depth)?,
+                    None if text == "PI" => vec![std::f64::consts::PI],
+                    None => return None,
+                }
+            }
+            ExprKind::Tuple(components) => {
+                let components = components.iter().map(scalar);
+                components.collect::<Option<Vec<f64>>>()?
+            }
+            ExprKind::Negate(value) => {
+                let value = self.evaluate(value, depth)?;
+                value.into_iter().map(|component| -component).collect()
+            }
+            ExprKind::Binary(operator, left, right) => {
+                let (left, right) = (self.evaluate(left, depth)?, self.evaluate(right, depth)?);
+                combine(*operator, &left, &right)?
+            }
+            ExprKind::Call(function, arguments) => {
+                match (function.to_string().as_str(), &arguments[..]) {
+                    ("polar", [length, angle]) => {
+                        let (length, angle) = (scalar(length)?, scalar(angle)?);
+                        vec![length * angle.cos(), length * angle.sin()]
+                    }
+                    ("sqrt", [value]) => vec![scalar(value)?.sqrt()],
+                    ("sin", [value]) => vec![scalar(value)?.sin()],
+                    ("cos", [value]) => vec![scalar(value)?.cos()],
+                    ("tan", [value]) => vec![scalar(value)?.tan()],
+                    _ => return None,
+                }
+            }
+            ExprKind::Field(..)
+            | ExprKind::Index(..)
+            | ExprKind::Power(..)
+            | ExprKind::List(_)
+            | ExprKind::Error => return None,
+        })
+    }
+}
+
+fn combine(operator: BinaryOp, left: &[f64], right: &[f64]) -> Option<Vec<f64>> {
+    let pairs = || left.iter().zip(right);
+    Some(match (operator, left, right) {
+        (BinaryOp::Add, ..) if left.len() == right.len() => pairs().map(|(a, b)| a + b).collect(),
+        (BinaryOp::Sub, ..) if left.len() == right.len() => pairs().map(|(a, b)| a - b).collect(),
+        (BinaryOp::Mul, [factor], vector) | (BinaryOp::Mul, vector, [factor]) => {
+            vector.iter().map(|component| factor * component).collect()
+        }
+        (BinaryOp::Div, vector, [divisor]) => {
+            vector.iter().map(|component| component / divisor).collect()
+        }
+        _ => return None,
+    })
+}
+
+fn factor(scale: Scale) -> f64 {
+    let (whole, power) = scale.whole;
+    let pi = std::f64::consts::PI.powi(scale.pi);
+    // The powers of ten of units are small.
+    10f64.powi(scale.ten as i32) * pi * f64::from(whole).powi(power)
+}
+
+/// Returns all names in an expression, those of functions aside.
+pub(super) fn names(expr: &Expr) -> Vec<&Ident> {
+    let mut found = Vec::new();
+    let mut open = vec![expr];
+    while let Some(expr) = open.pop() {
+        match &expr.kind {
+            ExprKind::Name(name) => found.push(name),
+            ExprKind::Tuple(parts) | ExprKind::List(parts) | ExprKind::Call(_, parts) => {
+                open.extend(parts);
+            }
+            ExprKind::Field(value, _) | ExprKind::Negate(value) | ExprKind::Power(value, _) => {
+                open.push(value);
+            }
+            ExprKind::Index(value, index) => open.extend([&**value, &**index]),
+            ExprKind::Binary(_, left, right) => open.extend([&**left, &**right]),
+            ExprKind::Number { .. } | ExprKind::Error => {}
+        }
+    }
+    found
+}
+
+fn at_reference(values: &Values, expr: &Expr, depth: usize) -> Expr {
+    let Some(depth) = depth.checked_sub(1) else {
+        return expr.clone();
+    };
+    let inner = |expr: &Expr| at_reference(values, expr, depth);
+    let boxed = |expr: &Expr| Box::new(inner(expr));
+    let kind = match &expr.kind {
+        ExprKind::Name(name) => match values.others.get(&name.to_string()) {
+            Some(value) => return inner(value),
+            None => return expr.clone(),
+        },
+        ExprKind::Tuple(parts) => ExprKind::Tuple(parts.iter().map(inner).collect()),
+        ExprKind::Call(name, parts) => {
+            ExprKind::Call(name.clone(), parts.iter().map(inner).collect())
+        }
+        ExprKind::Negate(value) => ExprKind::Negate(boxed(value)),
+        ExprKind::Field(value, field) => ExprKind::Field(boxed(value), field.clone()),
+        ExprKind::Binary(operator, left, right) => {
+            ExprKind::Binary(*operator, boxed(left), boxed(right))
+        }
+        ExprKind::Number { .. }
+        | ExprKind::Index(..)
+        | ExprKind::Power(..)
+        | ExprKind::List(_)
+        | ExprKind::Error => return expr.clone(),
+    };
+    Expr {
+        kind,
+        span: expr.span,
+    }
+}
+
+/// Returns true if all joints of a linkage that are drawn have three coordinates.
+pub(super) fn is_spatial(linkage: &Linkage) -> bool {
+    let mut drawn = linkage.joints.iter().filter_map(|joint| joint.drawn);
+    let count = |value: &Toleranced| match value {
+        Toleranced::Single { nominal, .. } => match &nominal.kind {
+            ExprKind::Tuple(components) => components.len(),
+            _ => 2,
+        },
+        Toleranced::Components { components, .. } => components.len(),
+    };
+    drawn.any(|position| count(position) == 3)
+}
+
+/// Returns true for a joint of the frame, or a point whose position is known.
+pub(super) fn is_fixed(linkage: &Linkage, joint: usize) -> bool {
+    linkage.links[FRAME].joints.contains(&joint) || linkage.joints[joint].drawn.is_none()
+}

@@ -1,0 +1,66 @@
+//! The joints and links of a mechanism, with numbers instead of names.
+
+use proc_macro2::Ident;
+
+use crate::syntax::{Expr, InertiaPart, MassPart, Toleranced};
+
+/// The number of the frame, among links and among bodies.
+pub(super) const FRAME: usize = 0;
+
+pub(super) struct Linkage<'a> {
+    pub(super) joints: Vec<Joint<'a>>,
+    /// The frame is the first of them.
+    pub(super) links: Vec<Link<'a>>,
+    pub(super) sliders: Vec<Slider<'a>>,
+    pub(super) wheels: Vec<Wheels<'a>>,
+    /// Pairs of links that are one body.
+    pub(super) welds: Vec<[usize; 2]>,
+}
+
+pub(super) struct Joint<'a> {
+    pub(super) name: Ident,
+    /// The place where it is drawn. A point that is declared with `let` or the like has none, and
+    /// its position is known.
+    pub(super) drawn: Option<&'a Toleranced>,
+}
+
+pub(super) struct Link<'a> {
+    pub(super) name: Ident,
+    pub(super) joints: Vec<usize>,
+    /// Given coordinates, for each joint.
+    pub(super) coordinates: Vec<Option<&'a Toleranced>>,
+    pub(super) at: Option<&'a Expr>,
+    pub(super) length: Option<&'a Toleranced>,
+    /// The name of its length: the arc of a curved slot has a radius.
+    pub(super) length_word: &'static str,
+    pub(super) masses: &'a [MassPart],
+    pub(super) inertias: &'a [InertiaPart],
+}
+
+/// A joint that slides along a line of a link.
+pub(super) struct Slider<'a> {
+    pub(super) name: Ident,
+    pub(super) pin: usize,
+    pub(super) guide: usize,
+    pub(super) path: Path<'a>,
+    pub(super) block: Option<usize>,
+    pub(super) at: Option<&'a Expr>,
+}
+
+#[derive(Clone, Copy)]
+pub(super) enum Path<'a> {
+    /// From one joint of the guide to another.
+    Line([usize; 2]),
+    /// A direction of the drawing, through a joint or the place where the pin is drawn.
+    Direction(&'a Expr, Option<usize>),
+}
+
+/// Two wheels: the angle of the second one follows from that of the first one.
+pub(super) struct Wheels<'a> {
+    pub(super) wheels: [usize; 2],
+    pub(super) carrier: usize,
+    pub(super) sizes: &'a [Expr; 2],
+    /// True for outer gears.
+    pub(super) reverses: bool,
+    pub(super) item: &'a crate::syntax::WheelsItem,
+}

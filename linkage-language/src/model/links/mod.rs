@@ -1,0 +1,70 @@
+//! Joints and links: the second way to write a mechanism. They become parameters, unknowns, points
+//! and loops, so that nothing after `model` knows them.
+//!
+//! `collect` finds what the names mean, `rigid_bodies` joins links that are one body, `order` decides from
+//! which joint each body is reached and where loops close, and `link_items` writes the items.
+
+mod collect;
+mod drawing;
+mod link_items;
+mod linkage;
+mod locations;
+mod lost;
+mod mechanics;
+mod nodes;
+mod order;
+mod rigid_bodies;
+mod sheet;
+mod slides;
+mod wheels;
+
+use std::collections::BTreeMap;
+
+use crate::diagnostic::Diagnostics;
+use crate::syntax::{Item, MechanismDef};
+
+/// Replaces the joints and links of each mechanism by other items. After a mistake their names stay
+/// known, without values: an item that could not be read would cause further messages.
+pub fn expand(definitions: Vec<MechanismDef>, diagnostics: &mut Diagnostics) -> Vec<MechanismDef> {
+    let definitions = definitions.into_iter();
+    definitions
+        .map(|definition| match last_linked(&definition) {
+            Some(last) => expand_mechanism(definition, last, diagnostics),
+            None => definition,
+        })
+        .collect()
+}
+
+/// Returns the position of the last item about joints and links.
+fn last_linked(definition: &MechanismDef) -> Option<usize> {
+    let mut items = definition.items.iter();
+    items.rposition(|item| matches!(item, Item::Linked(_)))
+}
+
+/// Writes all that the joints and links of a mechanism stand for in the place of the last of them,
+/// so that derived quantities before can be used by links, and those after can use joints.
+fn expand_mechanism(
+    mut definition: MechanismDef,
+    last: usize,
+    diagnostics: &mut Diagnostics,
+) -> MechanismDef {
+    let sound = diagnostics.is_empty();
+    let linkage = sound.then(|| collect::collect(&definition, diagnostics));
+    let linkage = linkage.filter(|_| diagnostics.is_empty());
+    let mut renamed = BTreeMap::new();
+    let mut items = Vec::new();
+    if let Some(linkage) = linkage {
+        items = link_items::items(&definition, &linkage, diagnostics);
+        renamed = mechanics::renamed_bodies(&linkage);
+    }
+    if !diagnostics.is_empty() {
+        items = lost::items(&definition);
+    }
+    let after = definition.items.split_off(last + 1);
+    definition.items.extend(items);
+    definition.items.extend(after);
+    let is_linked = |item: &Item| matches!(item, Item::Linked(_));
+    definition.items.retain(|item| !is_linked(item));
+    mechanics::rename(&mut definition, &renamed);
+    definition
+}

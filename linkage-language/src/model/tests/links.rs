@@ -1,0 +1,225 @@
+//! Joints and links, and the items that they stand for.
+
+use super::LINKS;
+use crate::diagnostic::Diagnostics;
+use crate::model::{Library, expand, resolve};
+use crate::syntax::{dump, parse};
+
+/// The mechanisms as text, without joints and links, and all messages.
+fn expanded(source: &str) -> (String, Vec<String>) {
+    let mut diagnostics = Diagnostics::default();
+    let tokens = source.parse().expect("the source has tokens");
+    let definitions = parse(tokens, &mut diagnostics);
+    let definitions = expand(definitions, &mut diagnostics);
+    let text: String = definitions.iter().map(dump).collect();
+    let library = Library::default();
+    for definition in &definitions {
+        resolve(definition, &library, &mut diagnostics);
+    }
+    (text, diagnostics.texts())
+}
+
+#[test]
+fn links_are_loops() {
+    let (text, messages) = expanded(LINKS);
+    assert_eq!(messages, Vec::<String>::new());
+    if std::env::var_os("UPDATE").is_some() {
+        let path = format!("{}/src/model/tests/links.items", env!("CARGO_MANIFEST_DIR"));
+        std::fs::write(path, text).expect("the golden file can be written");
+        return;
+    }
+    let expected = include_str!("links.items");
+    assert_eq!(text, expected, "run with UPDATE=1 if the change is wanted");
+}
+
+#[test]
+fn mistakes_in_links() {
+    const JOINTS: &str = "unit mm; input phi = 90deg; joint a = (0mm, 0mm), b = (0mm, 20mm), c = (50mm, 60mm), d = (50mm, 0mm);";
+    const FRAME: &str = "link frame: a, d;";
+    const CRANK: &str = "link crank: a, b at phi;";
+    const REST: &str = "link coupler: b, c; link rocker: c, d;";
+    for (parts, expected) in [
+        (
+            [FRAME, CRANK, "link coupler: b, e; link rocker: b, c, d;"],
+            "unknown joint `e`\nhelp: write where it is drawn: `joint e = (x, y);`",
+        ),
+        (
+            [FRAME, "link crank: a, b at phi, at phi;", REST],
+            "a second `at`\nhelp: a link has one",
+        ),
+        (
+            [FRAME, "link crank: a, b mass 1kg;", REST],
+            "expected `at` and the centre of the mass",
+        ),
+        (
+            [FRAME, "link crank: a, b angle phi;", REST],
+            "clauses of a link are `at`, `length`, `about`, `mass` and `inertia`",
+        ),
+        (
+            [FRAME, CRANK, "link coupler: b, c; link rocker: b, d;"],
+            "no",
+        ),
+        (
+            [FRAME, CRANK, "link coupler: b, c, b; link rocker: c, d;"],
+            "the link `coupler` has the joint `b` twice",
+        ),
+        (
+            [FRAME, CRANK, "link crank: b, c; link rocker: c, d;"],
+            "the link `crank` is declared twice",
+        ),
+        (
+            ["link frame: a, d length 3mm;", CRANK, REST],
+            "the frame does not move",
+        ),
+        (
+            [
+                FRAME,
+                CRANK,
+                "link coupler: b, c; joint k = (1mm, 1mm); link rocker: c, d;",
+            ],
+            "the joint `k` belongs to no link",
+        ),
+        (
+            [
+                FRAME,
+                CRANK,
+                "link coupler: b, c; joint c = (1mm, 1mm); link rocker: c, d;",
+            ],
+            "the joint `c` is drawn twice",
+        ),
+        (
+            [FRAME, "link crank: a, b at phi - 30deg;", REST],
+            "`crank` is drawn at 90 deg, but its input is 60 deg at the reference",
+        ),
+        (
+            [
+                "link frame: d;",
+                "joint k = (1mm, 1mm); link far: a, k;",
+                "link rocker: b, c, d;",
+            ],
+            "no way leads from the frame to the link `far`",
+        ),
+        (
+            [
+                FRAME,
+                CRANK,
+                "link coupler: b, c; link rocker: c, d; slider s: b on rocker along c, a;",
+            ],
+            "`a` is no joint of the link `rocker`",
+        ),
+        (
+            [
+                FRAME,
+                CRANK,
+                "link coupler: b, c; slider s: d on coupler along 0deg; link rocker: c, d;",
+            ],
+            "the line of `s` has no place on `coupler`",
+        ),
+        (
+            [
+                FRAME,
+                CRANK,
+                "link coupler: b, c; slider s: c on frame along a, d, block crank;",
+            ],
+            "`c` is no joint of the link `crank`",
+        ),
+        (
+            [
+                FRAME,
+                CRANK,
+                "link coupler: b, c; slider s: c on frame along a, d, at phi, at phi;",
+            ],
+            "clauses of a slider are",
+        ),
+        (
+            [
+                FRAME,
+                CRANK,
+                "link coupler: b, c; link rocker: c, d; gears crank, wheel teeth 1, 2;",
+            ],
+            "unknown link `wheel`",
+        ),
+        (
+            [
+                FRAME,
+                CRANK,
+                "link coupler: b, c; link rocker: c, d; gears crank, rocker 1, 2;",
+            ],
+            "expected `teeth` or `radii`",
+        ),
+        (
+            [
+                FRAME,
+                CRANK,
+                "link coupler: b, c; link rocker: c, d; weld crank;",
+            ],
+            "write `weld LINK, LINK`",
+        ),
+        (
+            [
+                FRAME,
+                CRANK,
+                "link coupler: b, c; link rocker: c, d; link disc: d;",
+            ],
+            "the link `disc` has one joint, and nothing tells how it turns",
+        ),
+        (
+            [
+                FRAME,
+                CRANK,
+                "link coupler: b = (1mm, 2mm), c; link rocker: c, d;",
+            ],
+            "the first two joints of `coupler` are its axis",
+        ),
+        (
+            [
+                FRAME,
+                CRANK,
+                "unknown k; link coupler: b, k; link rocker: c, d; link last: b, c;",
+            ],
+            "the length of the link `coupler` is not known",
+        ),
+        (
+            [
+                FRAME,
+                CRANK,
+                "joint g = 3mm; link coupler: b, c; link rocker: c, d;",
+            ],
+            "a joint is drawn at a point",
+        ),
+        (
+            [
+                FRAME,
+                CRANK,
+                "joint g = (3mm +- 1mm, 0mm); link coupler: b, c, g; link rocker: c, d;",
+            ],
+            "the joint `g` moves, and is only drawn here",
+        ),
+        (
+            [
+                FRAME,
+                CRANK,
+                "link coupler: b, c; link rocker: c, d; slider s: c on rocker along c, d;",
+            ],
+            "`c` is a joint of `rocker`, and cannot slide on it",
+        ),
+        (
+            ["link frame a, d;", CRANK, REST],
+            "expected `:` after `frame`",
+        ),
+    ] {
+        let source = format!("struct A {{ {JOINTS} {} }}", parts.join(" "));
+        let (_, messages) = expanded(&source);
+        match expected {
+            "no" => assert_eq!(messages.len(), 0, "{source}: {messages:#?}"),
+            _ => {
+                assert!(
+                    messages.iter().any(|message| message.contains(expected)),
+                    "{source}:\n{messages:#?}\nlack\n{expected}"
+                );
+                // Nothing else follows from a mistake.
+                assert!(messages.len() <= 2, "{source}: {messages:#?}");
+            }
+        }
+    }
+}
