@@ -2,8 +2,8 @@
 
 use crate::document::{Document, FRAME, Input, InputKind};
 use crate::error::ImportError;
+use crate::mobility::mobility;
 use crate::names::shown;
-use crate::reach::mobility;
 
 /// Takes the inputs that the user names: a pivot and another joint of the link that turns.
 pub(crate) fn named(document: &mut Document, pairs: &[String]) -> Result<(), ImportError> {

@@ -13,13 +13,13 @@ use crate::error::ImportError;
 use crate::names::shown;
 use crate::number::plain;
 
-mod literal;
+mod python;
 
 /// Reads a file.
 pub(crate) fn read(content: &[u8]) -> Result<Document, ImportError> {
     let text = String::from_utf8_lossy(content);
     let value: Value = serde_json::from_str(&text)
-        .or_else(|error| serde_json::from_str(&literal::as_json(&text)).map_err(|_| error))
+        .or_else(|error| serde_json::from_str(&python::as_json(&text)).map_err(|_| error))
         .map_err(|error| ImportError::new(format!("the file is no JSON: {error}")))?;
     if value.get("nodes").is_some() && value.get("joints").is_none() {
         return Err(ImportError::new(

@@ -1,8 +1,8 @@
 //! Expressions of Pyslvs: `M[J[R, color[Green], P[0.0, 0.0], L[ground, link_1]], ...]`.
 //!
 //! `P` and `RP` joints have the link with the slot first. The links behind it have the pin: with
-//! `P` none of them turns in the slot, so that they are one body. Angles are in degrees. The program writes four decimals
-//! and cuts zeros at their end. Expressions have no inputs.
+//! `P` none of them turns in the slot, so that they are one body. Angles are in degrees. The
+//! program writes four decimals and cuts zeros at their end. Expressions have no inputs.
 
 use std::collections::BTreeMap;
 

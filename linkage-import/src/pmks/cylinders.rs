@@ -4,7 +4,7 @@ use crate::document::{FRAME, Input, InputKind};
 use crate::error::ImportError;
 use crate::names::shown;
 
-use super::assemble::Assembly;
+use super::conversion::Assembly;
 use super::payload::PageJoint;
 
 /// Replaces barrel and rod by a link between the mounts, whose length is the input. Returns false

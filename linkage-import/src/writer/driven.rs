@@ -1,9 +1,9 @@
 //! Inputs: their values in the drawing, and ranges in which the mechanism stays together.
 
 use crate::document::{Document, FRAME, InputKind, SlotPath};
+use crate::mobility;
 use crate::names::{in_comment, shown};
 use crate::number::plain;
-use crate::reach;
 
 use super::spelling::Spelling;
 
@@ -25,7 +25,7 @@ const SMALL_PART: f64 = 0.05;
 
 /// Returns the inputs, with warnings about those that cannot move.
 pub(super) fn drives(document: &mut Document, spelling: &Spelling) -> Vec<Drive> {
-    let ranges = reach::ranges(document);
+    let ranges = mobility::ranges(document);
     if ranges.is_none() {
         explain(document);
     }
@@ -64,7 +64,7 @@ pub(super) fn drives(document: &mut Document, spelling: &Spelling) -> Vec<Drive>
 /// A warning for drawings whose mobility is not the number of their inputs.
 fn explain(document: &mut Document) {
     let kinds: Vec<InputKind> = document.inputs.iter().map(|input| input.kind).collect();
-    let warning = match reach::mobility(document, &[]) {
+    let warning = match mobility::mobility(document, &[]) {
         Some(0) => "nothing can move in the drawing: ranges of inputs are not known".to_owned(),
         Some(free) if free != kinds.len() => format!(
             "the drawing has the mobility {free} and {} inputs: ranges are not known",

@@ -6,8 +6,8 @@ use crate::names::shown;
 use crate::number::{decimal, plain, rounded};
 use crate::xml::XmlElement;
 
-use super::bodies::unite;
-use super::{Sheet, identifier, is_mechanism, is_true};
+use super::fastened::unite;
+use super::sheet::{Sheet, identifier, is_mechanism, is_true};
 
 /// Reads motors, then cylinders, then gears.
 pub(super) fn read(sheet: &mut Sheet) -> Result<(), ImportError> {
