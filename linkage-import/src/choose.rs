@@ -36,6 +36,7 @@ pub(crate) fn named(document: &mut Document, pairs: &[String]) -> Result<(), Imp
             kind: InputKind::Crank { link, pivot, base },
             travel: None,
             speed: None,
+            rate: None,
         });
     }
     Ok(())
@@ -95,6 +96,7 @@ pub(crate) fn missing(document: &mut Document) {
             kind,
             travel: None,
             speed: None,
+            rate: None,
         });
     }
 }

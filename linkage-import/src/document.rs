@@ -137,6 +137,8 @@ pub(crate) struct Input {
     pub(crate) travel: Option<[f64; 2]>,
     /// The speed in the file, as text.
     pub(crate) speed: Option<String>,
+    /// The speed of a motor in degrees per second, counterclockwise.
+    pub(crate) rate: Option<f64>,
 }
 
 /// The coordinate that an input sets.

@@ -4,6 +4,10 @@
 //! linkage. Each length has a comment with the band in which the rounding of the file leaves it.
 //! Everything that could not be taken is a comment of the text and a warning.
 
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+mod page {}
+
 mod choose;
 mod document;
 mod error;

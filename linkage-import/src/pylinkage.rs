@@ -183,6 +183,7 @@ fn read_link(sheet: &mut Sheet, value: &Value) -> Result<(), ImportError> {
         },
         travel: None,
         speed: rate.map(|rate| format!("{} rad for each step of the program", plain(rate))),
+        rate: None,
     });
     if kind == "arc_driver" {
         let bound = |name| value.get(name).and_then(Value::as_f64).map(plain);

@@ -21,7 +21,8 @@ pub(crate) fn read(content: &[u8]) -> Result<Document, ImportError> {
     let mut cursor = Cursor { rest: text.trim() };
     // In files of programs, the expression is a text between quotes, in pieces on several lines.
     let joined = text.replace(['"', '\''], " ");
-    if !cursor.rest.starts_with("M[") {
+    let is_inside = !cursor.rest.starts_with("M[");
+    if is_inside {
         let start = joined
             .find("M[")
             .ok_or_else(|| ImportError::new("the file has no expression: `M[` is missing"))?;
@@ -44,6 +45,13 @@ pub(crate) fn read(content: &[u8]) -> Result<Document, ImportError> {
             cursor.expect("]")?;
             break;
         }
+    }
+    let around = |letter: char| letter.is_alphanumeric();
+    let before = joined.split("M[").next().unwrap_or_default();
+    if cursor.rest.contains(around) || (is_inside && before.contains(around)) {
+        sheet.document.warnings.push(
+            "the text around the expression is not read: inputs of a project are there".to_owned(),
+        );
     }
     unite(&mut sheet);
     if sheet.document.joints.is_empty() {

@@ -27,6 +27,7 @@ pub(crate) fn text(document: &mut Document, name: &str, file: &str) -> String {
     for drive in &drives {
         let _ = writeln!(text, "    {}", drive.line);
     }
+    driven::together(document, &drives, &mut text);
     text += "\n    // The joints where they are drawn.\n";
     parts::joints(document, &spelling, &mut text);
     text += "\n";

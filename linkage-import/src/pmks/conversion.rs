@@ -39,17 +39,23 @@ impl Assembly {
         })
     }
 
-    pub(super) fn speed(&self, joint: &PageJoint) -> String {
+    /// Returns the speed of a motor as text, and in degrees per second, counterclockwise.
+    pub(super) fn speed(&self, joint: &PageJoint) -> (String, f64) {
+        /// A revolution per minute.
+        const DEGREES_PER_SECOND: f64 = 6.0;
         let (speed, is_clockwise) = if joint.speed == 0.0 {
             (self.drawing.speed, self.drawing.is_clockwise)
         } else {
             (joint.speed.abs(), joint.speed < 0.0)
         };
-        let sense = if is_clockwise {
-            "clockwise"
+        let (sense, sign) = if is_clockwise {
+            ("clockwise", -1.0)
         } else {
-            "counterclockwise"
+            ("counterclockwise", 1.0)
         };
-        format!("{sense} at {} revolutions per minute", plain(speed))
+        (
+            format!("{sense} at {} revolutions per minute", plain(speed)),
+            sign * DEGREES_PER_SECOND * speed,
+        )
     }
 }

@@ -162,6 +162,7 @@ fn slot(assembly: &mut Assembly, slide: &PageJoint) -> Result<(), ImportError> {
             },
             travel: None,
             speed: None,
+            rate: None,
         });
     }
     Ok(())
@@ -200,11 +201,12 @@ fn motors(assembly: &mut Assembly) {
                 shown(&motor.name)
             ));
         }
-        let speed = Some(assembly.speed(motor));
+        let (speed, rate) = assembly.speed(motor);
         assembly.document.inputs.push(Input {
             kind: InputKind::Crank { link, pivot, base },
             travel: None,
-            speed,
+            speed: Some(speed),
+            rate: Some(rate),
         });
     }
 }

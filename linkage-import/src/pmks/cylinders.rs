@@ -59,6 +59,7 @@ pub(super) fn read(assembly: &mut Assembly, slide: &PageJoint) -> Result<bool, I
             kind: InputKind::Length { link },
             travel: None,
             speed: None,
+            rate: None,
         });
         document.remarks.push(format!(
             "The joints {} and {} inside of a cylinder follow from its mounts and are left out.",

@@ -6,6 +6,7 @@ use crate::names::{in_comment, shown};
 use crate::number::plain;
 
 use super::spelling::Spelling;
+use super::wrapped::comment;
 
 /// An input as text.
 pub(super) struct Drive {
@@ -17,6 +18,8 @@ pub(super) struct Drive {
     pub(super) clause: String,
     /// The joint that a crank points to from its pivot.
     pub(super) target: Option<usize>,
+    /// The value in the drawing with its unit.
+    value: String,
 }
 
 /// The range that is written where none is known, in degrees and as a part of a length.
@@ -59,6 +62,30 @@ pub(super) fn drives(document: &mut Document, spelling: &Spelling) -> Vec<Drive>
         drives.push(drive);
     }
     drives
+}
+
+/// Several motors run together in the file: their angles as functions of one time.
+pub(super) fn together(document: &Document, drives: &[Drive], text: &mut String) {
+    let motors = drives.iter().zip(&document.inputs);
+    let motors = motors.filter_map(|(drive, input)| {
+        let rate = input.rate?;
+        let sign = if rate < 0.0 { '-' } else { '+' };
+        let Drive { name, value, .. } = drive;
+        Some(format!(
+            "{name} = {value} {sign} {}deg/s * t",
+            plain(rate.abs())
+        ))
+    });
+    let motors: Vec<String> = motors.collect();
+    if motors.len() > 1 {
+        let words = format!("In the file they run together: {}.", motors.join(", "));
+        comment(text, "    // ", &words);
+    }
+    if drives.len() > 1 && motors.len() < drives.len() {
+        let words = "Inputs without a rate move to and fro, or as the user of the program moves \
+                     them: they are no functions of that time.";
+        comment(text, "    // ", words);
+    }
 }
 
 /// A warning for drawings whose mobility is not the number of their inputs.
@@ -141,6 +168,7 @@ fn crank(
         kind: document.inputs[index].kind,
         clause,
         target: Some(target),
+        value: format!("{}deg", plain(reference)),
     }
 }
 
@@ -182,6 +210,7 @@ fn linear(
         line,
         kind: document.inputs[index].kind,
         target: None,
+        value: format!("{}{unit}", plain(reference)),
     }
 }
 

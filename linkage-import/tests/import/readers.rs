@@ -235,6 +235,34 @@ fn pyslvs_expressions_take_the_inputs_that_are_named() {
     assert!(error.to_string().contains("no link turns"), "{error}");
 }
 
+#[test]
+fn several_motors_run_in_one_time() {
+    let elements = "<connector id=\"2\" x=\"96\" y=\"0\" anchor=\"true\" input=\"true\" rpm=\"9.5\"/>\
+                    <connector id=\"3\" x=\"96\" y=\"48\"/>\
+                    <Link id=\"1\"><connector id=\"2\"/><connector id=\"3\"/></Link>";
+    let text = of_text(&linkage("", elements), "a.linkage2").text;
+    let rates = "phi1 = 90deg + 90deg/s * t, phi2 = 90deg - 57deg/s * t.";
+    assert!(text.contains(rates), "{text}");
+    let cylinder = "<Link id=\"9\" actuator=\"true\" throw=\"9\" cpm=\"5\"><connector id=\"1\"/>\
+                    <connector id=\"3\"/></Link>";
+    let elements = elements.replace(" input=\"true\" rpm=\"9.5\"", "") + cylinder;
+    let text = of_text(&linkage("", &elements), "a.linkage2").text;
+    assert!(text.contains("move to and fro"), "{text}");
+}
+
+#[test]
+fn text_around_expressions_is_named() {
+    let project = "input:\n- {base: 0}\nmechanism: \"M[J[R, P[0, 0], L[ground, a]],\" \n\
+                   \"J[R, P[1, 1], L[a]]]\"\n";
+    let import = of_text(project, "a.yml");
+    let has = |part: &str| import.warnings.iter().any(|warning| warning.contains(part));
+    assert!(
+        has("the text around the expression"),
+        "{:?}",
+        import.warnings
+    );
+}
+
 /// Numbers of addresses of PMKS+ in base 64, for drawings of this test.
 mod address {
     const DIGITS: &[u8] = b"0123456789ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz_-";
