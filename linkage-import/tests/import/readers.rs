@@ -434,6 +434,14 @@ fn pylinkage_has_positions_and_no_lengths() {
             .iter()
             .any(|warning| warning.contains("`colour`"))
     );
+    let angle = "\"initial_angle\": 0.25, \"angular_velocity\"";
+    let turned = json.replace("\"angular_velocity\"", angle);
+    let turned = of_text(&turned, "a.json").warnings;
+    assert!(
+        turned
+            .iter()
+            .any(|warning| warning.contains("begins at 0.25 rad in the program"))
+    );
     // The same as Python prints it.
     let python = json
         .replace('"', "'")
