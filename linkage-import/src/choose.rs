@@ -2,8 +2,8 @@
 
 use crate::document::{Document, FRAME, Input, InputKind};
 use crate::error::ImportError;
+use crate::mobility::mobility;
 use crate::names::shown;
-use crate::reach::mobility;
 
 /// Takes the inputs that the user names: a pivot and another joint of the link that turns.
 pub(crate) fn named(document: &mut Document, pairs: &[String]) -> Result<(), ImportError> {
@@ -36,6 +36,7 @@ pub(crate) fn named(document: &mut Document, pairs: &[String]) -> Result<(), Imp
             kind: InputKind::Crank { link, pivot, base },
             travel: None,
             speed: None,
+            rate: None,
         });
     }
     Ok(())
@@ -95,6 +96,7 @@ pub(crate) fn missing(document: &mut Document) {
             kind,
             travel: None,
             speed: None,
+            rate: None,
         });
     }
 }

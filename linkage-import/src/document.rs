@@ -135,8 +135,10 @@ pub(crate) struct Input {
     pub(crate) kind: InputKind,
     /// The travel from the drawn position that the file allows: lengths for cylinders and slots.
     pub(crate) travel: Option<[f64; 2]>,
-    /// The speed in the file, in words.
+    /// The speed in the file, as text.
     pub(crate) speed: Option<String>,
+    /// The speed of a motor in degrees per second, counterclockwise.
+    pub(crate) rate: Option<f64>,
 }
 
 /// The coordinate that an input sets.

@@ -197,6 +197,7 @@ fn connect(table: &mut Table, row: &StringRecord) -> Result<(), ImportError> {
                 },
                 travel: None,
                 speed: None,
+                rate: None,
             });
             Ok(())
         }
@@ -251,6 +252,7 @@ fn slot(
             },
             travel: None,
             speed: None,
+            rate: None,
         });
     }
     Ok(())
@@ -269,6 +271,7 @@ fn cylinder(table: &mut Table, name: &str, joints: &[String]) -> Result<(), Impo
         kind: InputKind::Length { link },
         travel: None,
         speed: None,
+        rate: None,
     });
     Ok(())
 }

@@ -4,6 +4,10 @@
 //! linkage. Each length has a comment with the band in which the rounding of the file leaves it.
 //! Everything that could not be taken is a comment of the text and a warning.
 
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+mod page {}
+
 mod choose;
 mod document;
 mod error;
@@ -11,13 +15,13 @@ mod format;
 mod hard_points;
 mod joint_table;
 mod linkage2;
+mod mobility;
 mod names;
 mod number;
 mod options;
 mod pmks;
 mod pylinkage;
 mod pyslvs;
-mod reach;
 mod robots;
 mod tidy;
 mod writer;

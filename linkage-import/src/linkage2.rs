@@ -12,30 +12,17 @@ use crate::number::{decimal, half_digit, plain, rounded};
 use crate::xml::{self, XmlElement};
 
 mod attributes;
-mod bodies;
-mod drives;
-mod slots;
+mod fastened;
+mod limits;
+mod motors;
+mod sheet;
+
+use sheet::{Sheet, identifier, is_mechanism, is_true, named};
 
 /// The digits after the point that the program writes.
 const DECIMALS: usize = 6;
 const UNITS_PER_INCH: f64 = 96.0;
 const MILLIMETRES_PER_INCH: f64 = 25.4;
-
-/// The layer of the mechanism. Other layers have drawings and measures.
-const MECHANISM_LAYER: u32 = 16;
-
-/// A file while it is read.
-struct Sheet<'t> {
-    root: &'t XmlElement,
-    document: Document,
-    /// The length of a unit of the file, in the unit of the document.
-    scale: f64,
-    /// Joints by the ids of connectors.
-    joints: BTreeMap<i64, usize>,
-    /// The elements of links that are taken, each with its index in the document. An id occurs
-    /// several times in some files; the program takes the first one then.
-    bodies: Vec<(&'t XmlElement, usize)>,
-}
 
 /// Reads a file.
 pub(crate) fn read(content: &[u8]) -> Result<Document, ImportError> {
@@ -64,9 +51,9 @@ pub(crate) fn read(content: &[u8]) -> Result<Document, ImportError> {
     scale_factor(&mut sheet)?;
     attributes::name_unknown(&root, &mut sheet.document);
     connectors(&mut sheet)?;
-    bodies::read(&mut sheet)?;
-    slots::read(&mut sheet)?;
-    drives::read(&mut sheet)?;
+    fastened::read(&mut sheet)?;
+    limits::read(&mut sheet)?;
+    motors::read(&mut sheet)?;
     Ok(sheet.document)
 }
 
@@ -148,56 +135,4 @@ fn connectors(sheet: &mut Sheet) -> Result<(), ImportError> {
         ));
     }
     Ok(())
-}
-
-/// Returns true for elements of the layer of the mechanism, which is that of elements without one.
-fn is_mechanism(element: &XmlElement) -> bool {
-    let layers = element.attribute("layer").map(str::trim);
-    let layers: u32 = layers.and_then(|text| text.parse().ok()).unwrap_or(0);
-    (layers == 0 || layers & MECHANISM_LAYER != 0) && !is_true(element, "measurementelement")
-}
-
-fn is_true(element: &XmlElement, name: &str) -> bool {
-    element.attribute(name) == Some("true")
-}
-
-/// Returns the name of an element unless it is blank.
-fn named(element: &XmlElement) -> Option<String> {
-    let name = element.attribute("name")?.trim();
-    (!name.is_empty()).then(|| name.to_owned())
-}
-
-fn identifier(element: &XmlElement) -> Result<i64, ImportError> {
-    let text = element.attribute("id").unwrap_or_default();
-    text.trim().parse().map_err(|_| {
-        ImportError::new(format!(
-            "an element `{}` has the id `{}`, which is no whole number",
-            shown(&element.name),
-            shown(text)
-        ))
-    })
-}
-
-impl Sheet<'_> {
-    /// Returns the joint of an element that refers to a connector; `None` with a warning if there
-    /// is none, as the program does.
-    fn referred(&mut self, element: &XmlElement) -> Result<Option<usize>, ImportError> {
-        let id = identifier(element)?;
-        let joint = self.joints.get(&id).copied();
-        if joint.is_none() {
-            self.document.warnings.push(format!(
-                "`{}` refers to the connector {id}, which is no part of the mechanism",
-                shown(&element.name)
-            ));
-        }
-        Ok(joint)
-    }
-
-    /// Returns the first link with an id.
-    fn body(&self, id: &str) -> Option<usize> {
-        let id = id.trim();
-        let mut bodies = self.bodies.iter();
-        let found = bodies.find(|body| body.0.attribute("id").map(str::trim) == Some(id))?;
-        Some(found.1)
-    }
 }

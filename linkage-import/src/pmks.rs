@@ -6,7 +6,8 @@
 use crate::document::Document;
 use crate::error::ImportError;
 
-mod assemble;
+mod conversion;
+mod converted;
 mod cylinders;
 mod payload;
 mod record;
@@ -25,7 +26,7 @@ pub(crate) fn read(content: &[u8], name: &str) -> Result<Document, ImportError> 
     };
     let query = query(&text)?;
     let drawing = payload::read(checked(&query)?)?;
-    assemble::document(drawing)
+    converted::document(drawing)
 }
 
 /// Returns the query of an address: all up to a space, a quote or a closing bracket.

@@ -13,13 +13,13 @@ use crate::error::ImportError;
 use crate::names::shown;
 use crate::number::plain;
 
-mod literal;
+mod python;
 
 /// Reads a file.
 pub(crate) fn read(content: &[u8]) -> Result<Document, ImportError> {
     let text = String::from_utf8_lossy(content);
     let value: Value = serde_json::from_str(&text)
-        .or_else(|error| serde_json::from_str(&literal::as_json(&text)).map_err(|_| error))
+        .or_else(|error| serde_json::from_str(&python::as_json(&text)).map_err(|_| error))
         .map_err(|error| ImportError::new(format!("the file is no JSON: {error}")))?;
     if value.get("nodes").is_some() && value.get("joints").is_none() {
         return Err(ImportError::new(
@@ -174,6 +174,7 @@ fn read_link(sheet: &mut Sheet, value: &Value) -> Result<(), ImportError> {
     let pivot = sheet.joint(motor)?;
     sheet.document.attach(pivot, FRAME);
     sheet.document.attach(pivot, link);
+    name_angle(sheet, value, link, pivot);
     let rate = value.get("angular_velocity").and_then(Value::as_f64);
     sheet.document.inputs.push(Input {
         kind: InputKind::Crank {
@@ -183,6 +184,7 @@ fn read_link(sheet: &mut Sheet, value: &Value) -> Result<(), ImportError> {
         },
         travel: None,
         speed: rate.map(|rate| format!("{} rad for each step of the program", plain(rate))),
+        rate: None,
     });
     if kind == "arc_driver" {
         let bound = |name| value.get(name).and_then(Value::as_f64).map(plain);
@@ -196,6 +198,29 @@ fn read_link(sheet: &mut Sheet, value: &Value) -> Result<(), ImportError> {
         ));
     }
     Ok(())
+}
+
+/// The program begins at the angle of the file, which positions that were saved later do not have.
+fn name_angle(sheet: &mut Sheet, value: &Value, link: usize, pivot: usize) {
+    const CLOSE: f64 = 1e-6;
+    let joints = &sheet.document.links[link].joints;
+    let other = joints.iter().find(|joint| **joint != pivot).copied();
+    let angle = value.get("initial_angle").and_then(Value::as_f64);
+    let (Some(other), Some(angle)) = (other, angle) else {
+        return;
+    };
+    let drawn = sheet.document.direction(pivot, other);
+    let turned = drawn - angle;
+    let turned = turned - std::f64::consts::TAU * (turned / std::f64::consts::TAU).round();
+    if turned.abs() > CLOSE {
+        sheet.document.warnings.push(format!(
+            "the driver `{}` begins at {} rad in the program, and is at {} rad in the positions of \
+             the file: these are taken",
+            shown(&sheet.document.links[link].name),
+            plain(angle),
+            plain(drawn)
+        ));
+    }
 }
 
 /// A tracker belongs to the link of its two reference joints.

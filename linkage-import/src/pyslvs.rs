@@ -1,8 +1,8 @@
 //! Expressions of Pyslvs: `M[J[R, color[Green], P[0.0, 0.0], L[ground, link_1]], ...]`.
 //!
 //! `P` and `RP` joints have the link with the slot first. The links behind it have the pin: with
-//! `P` none of them turns in the slot, so that they are one body. Angles are in degrees. The program writes four decimals
-//! and cuts zeros at their end. Expressions have no inputs.
+//! `P` none of them turns in the slot, so that they are one body. Angles are in degrees. The
+//! program writes four decimals and cuts zeros at their end. Expressions have no inputs.
 
 use std::collections::BTreeMap;
 
@@ -21,7 +21,8 @@ pub(crate) fn read(content: &[u8]) -> Result<Document, ImportError> {
     let mut cursor = Cursor { rest: text.trim() };
     // In files of programs, the expression is a text between quotes, in pieces on several lines.
     let joined = text.replace(['"', '\''], " ");
-    if !cursor.rest.starts_with("M[") {
+    let is_inside = !cursor.rest.starts_with("M[");
+    if is_inside {
         let start = joined
             .find("M[")
             .ok_or_else(|| ImportError::new("the file has no expression: `M[` is missing"))?;
@@ -44,6 +45,13 @@ pub(crate) fn read(content: &[u8]) -> Result<Document, ImportError> {
             cursor.expect("]")?;
             break;
         }
+    }
+    let around = |letter: char| letter.is_alphanumeric();
+    let before = joined.split("M[").next().unwrap_or_default();
+    if cursor.rest.contains(around) || (is_inside && before.contains(around)) {
+        sheet.document.warnings.push(
+            "the text around the expression is not read: inputs of a project are there".to_owned(),
+        );
     }
     unite(&mut sheet);
     if sheet.document.joints.is_empty() {

@@ -6,21 +6,20 @@ use crate::document::Document;
 use crate::names::{in_comment, shown};
 use crate::number::{plain, short};
 
-mod drives;
+mod driven;
 mod parts;
 mod sizes;
 mod spelling;
+mod wrapped;
 
-use drives::Drive;
+use driven::Drive;
 use spelling::Spelling;
-
-/// The width of comments.
-const COLUMNS: usize = 100;
+use wrapped::{COLUMNS, comment};
 
 /// Returns the text, and adds warnings about ranges to those of the document.
 pub(crate) fn text(document: &mut Document, name: &str, file: &str) -> String {
     let spelling = Spelling::new(document);
-    let drives = drives::drives(document, &spelling);
+    let drives = driven::drives(document, &spelling);
     confirm(document);
     let mut text = heading(document, file);
     let unit = document.unit.name();
@@ -28,6 +27,7 @@ pub(crate) fn text(document: &mut Document, name: &str, file: &str) -> String {
     for drive in &drives {
         let _ = writeln!(text, "    {}", drive.line);
     }
+    driven::together(document, &drives, &mut text);
     text += "\n    // The joints where they are drawn.\n";
     parts::joints(document, &spelling, &mut text);
     text += "\n";
@@ -94,27 +94,6 @@ fn heading(document: &Document, file: &str) -> String {
         comment(&mut text, "// - ", &in_comment(warning));
     }
     text
-}
-
-/// Adds a comment in lines of the width. Lines after the first one are indented.
-fn comment(text: &mut String, start: &str, words: &str) {
-    let mut line = start.to_owned();
-    let mut is_empty = true;
-    for word in words.split_whitespace() {
-        if !is_empty && line.chars().count() + 1 + word.chars().count() > COLUMNS {
-            text.push_str(&line);
-            text.push('\n');
-            line = start.replace('-', " ");
-            is_empty = true;
-        }
-        if !is_empty {
-            line.push(' ');
-        }
-        line.push_str(word);
-        is_empty = false;
-    }
-    text.push_str(line.trim_end());
-    text.push('\n');
 }
 
 /// Functions for all joints that move, and for the drawing.

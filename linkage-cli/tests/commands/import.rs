@@ -2,9 +2,10 @@
 
 use std::fs;
 use std::io::Write;
+use std::path::Path;
 use std::process::{Command, Stdio};
 
-use crate::{folder, printed, refused};
+use crate::{folder, linkage, printed, refused};
 
 const TABLE: &str = "name,kind,x (mm),y (mm),links\n\
                      o,motor,0,0,frame crank\n\
@@ -12,16 +13,31 @@ const TABLE: &str = "name,kind,x (mm),y (mm),links\n\
                      b,pin,100,60,rod lever\n\
                      c,pin,110,0,frame lever\n";
 
+/// Imports a file, and returns the output and the warnings.
+fn imported(folder: &Path, arguments: &[&str]) -> (String, String) {
+    let output = linkage(folder, &[&["import"], arguments].concat());
+    let [text, warnings] = [output.stdout, output.stderr].map(|bytes| {
+        let text = String::from_utf8(bytes);
+        text.expect("text")
+    });
+    assert!(output.status.success(), "{warnings}");
+    (text, warnings)
+}
+
 #[test]
 fn an_imported_drawing_is_checked() {
     let folder = folder("import");
     fs::write(folder.join("four bar.csv"), TABLE).expect("a table");
-    printed(&folder, &["import", "four bar.csv", "-o", "four_bar.mech"]);
+    let (text, warnings) = imported(&folder, &["four bar.csv", "-o", "four_bar.mech"]);
+    let distance = "the largest distance, of `o` and `b`, is 116.6mm: confirm it";
+    assert_eq!(text, "");
+    assert_eq!(warnings, format!("warning: {distance}\n"));
     let checked = printed(&folder, &["check", "four_bar.mech"]);
     assert!(checked.starts_with("FourBar: mobility 1\n"), "{checked}");
     let row = ["table", "four_bar.mech", "points", "--steps", "2"];
     let table = printed(&folder, &row);
-    assert!(table.starts_with("phi [rad],a.x [mm],a.y [mm],b.x [mm],b.y [mm]\n"));
+    let head = "phi [rad],a.x [mm],a.y [mm],b.x [mm],b.y [mm]";
+    assert_eq!(table.lines().next(), Some(head));
     // Never over a file.
     let again = refused(
         &folder,
@@ -38,18 +54,15 @@ fn an_imported_drawing_is_checked() {
 fn inputs_and_names_can_be_chosen() {
     let folder = folder("import_options");
     fs::write(folder.join("a.txt"), TABLE).expect("a table");
-    let start = [
-        "import",
-        "a.txt",
-        "--format",
-        "csv",
-        "--name",
-        "rocking lever",
-    ];
-    let text = printed(&folder, &[&start[..], &["--input", "c,b"]].concat());
+    let start = ["a.txt", "--format", "csv", "--name", "rocking lever"];
+    let (text, _) = imported(&folder, &[&start[..], &["--input", "c,b"]].concat());
     assert!(text.contains("pub struct RockingLever {"), "{text}");
     assert!(text.contains("    link lever: c, b at phi;"), "{text}");
-    let error = refused(&folder, &[&start[..], &["--input", "c,d"]].concat(), 1);
+    let error = refused(
+        &folder,
+        &[&["import"], &start[..], &["--input", "c,d"]].concat(),
+        1,
+    );
     assert_eq!(
         error,
         "error: there is no joint `d`; there are o, a, b, c\n"

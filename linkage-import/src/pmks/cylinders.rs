@@ -4,7 +4,7 @@ use crate::document::{FRAME, Input, InputKind};
 use crate::error::ImportError;
 use crate::names::shown;
 
-use super::assemble::Assembly;
+use super::conversion::Assembly;
 use super::payload::PageJoint;
 
 /// Replaces barrel and rod by a link between the mounts, whose length is the input. Returns false
@@ -59,6 +59,7 @@ pub(super) fn read(assembly: &mut Assembly, slide: &PageJoint) -> Result<bool, I
             kind: InputKind::Length { link },
             travel: None,
             speed: None,
+            rate: None,
         });
         document.remarks.push(format!(
             "The joints {} and {} inside of a cylinder follow from its mounts and are left out.",

@@ -5,7 +5,7 @@ use std::fmt::Write;
 use crate::document::{Document, FRAME, InputKind, SlotPath};
 use crate::number::plain;
 
-use super::drives::Drive;
+use super::driven::Drive;
 use super::sizes;
 use super::spelling::Spelling;
 

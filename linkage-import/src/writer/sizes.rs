@@ -6,13 +6,13 @@ use std::fmt::Write;
 use crate::document::{Document, Slot, SlotPath};
 use crate::number::{plain, short};
 
-use super::comment;
 use super::spelling::Spelling;
+use super::wrapped::comment;
 
 /// Wider bands contain whole numbers nearly always.
 const WIDE: f64 = 0.25;
 
-/// A slot is told to miss its pin by more than this part of the size.
+/// A pin misses its slot if it is further away than this part of the size.
 const MISS: f64 = 1e-9;
 
 /// Explains the comments behind links.

@@ -200,7 +200,7 @@ fn pyslvs_names_the_guide_first() {
     );
     assert!(text("P").contains("slider slot_p2: p2 on frame along 45deg, block c;"));
     // Several links do not turn in one slot, so that they are one body.
-    assert!(text("P").contains("link c: p1, p2, p3;"), "{}", text("P"));
+    assert!(text("P").contains("link c: p2, p3, p1;"), "{}", text("P"));
     // Four decimals are written, and zeros at their end are cut.
     assert!(text("P").contains("may be wrong by 0.00005mm"));
 }
@@ -233,6 +233,34 @@ fn pyslvs_expressions_take_the_inputs_that_are_named() {
     };
     let error = import(expression.as_bytes(), "a.pyslvs", &options).expect_err("no such link");
     assert!(error.to_string().contains("no link turns"), "{error}");
+}
+
+#[test]
+fn several_motors_run_in_one_time() {
+    let elements = "<connector id=\"2\" x=\"96\" y=\"0\" anchor=\"true\" input=\"true\" rpm=\"9.5\"/>\
+                    <connector id=\"3\" x=\"96\" y=\"48\"/>\
+                    <Link id=\"1\"><connector id=\"2\"/><connector id=\"3\"/></Link>";
+    let text = of_text(&linkage("", elements), "a.linkage2").text;
+    let rates = "phi1 = 90deg + 90deg/s * t, phi2 = 90deg - 57deg/s * t.";
+    assert!(text.contains(rates), "{text}");
+    let cylinder = "<Link id=\"9\" actuator=\"true\" throw=\"9\" cpm=\"5\"><connector id=\"1\"/>\
+                    <connector id=\"3\"/></Link>";
+    let elements = elements.replace(" input=\"true\" rpm=\"9.5\"", "") + cylinder;
+    let text = of_text(&linkage("", &elements), "a.linkage2").text;
+    assert!(text.contains("move to and fro"), "{text}");
+}
+
+#[test]
+fn text_around_expressions_is_named() {
+    let project = "input:\n- {base: 0}\nmechanism: \"M[J[R, P[0, 0], L[ground, a]],\" \n\
+                   \"J[R, P[1, 1], L[a]]]\"\n";
+    let import = of_text(project, "a.yml");
+    let has = |part: &str| import.warnings.iter().any(|warning| warning.contains(part));
+    assert!(
+        has("the text around the expression"),
+        "{:?}",
+        import.warnings
+    );
 }
 
 /// Numbers of addresses of PMKS+ in base 64, for drawings of this test.
@@ -405,6 +433,14 @@ fn pylinkage_has_positions_and_no_lengths() {
             .warnings
             .iter()
             .any(|warning| warning.contains("`colour`"))
+    );
+    let angle = "\"initial_angle\": 0.25, \"angular_velocity\"";
+    let turned = json.replace("\"angular_velocity\"", angle);
+    let turned = of_text(&turned, "a.json").warnings;
+    assert!(
+        turned
+            .iter()
+            .any(|warning| warning.contains("begins at 0.25 rad in the program"))
     );
     // The same as Python prints it.
     let python = json

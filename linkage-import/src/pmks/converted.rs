@@ -7,21 +7,12 @@ use crate::error::ImportError;
 use crate::names::shown;
 use crate::number::plain;
 
+use super::conversion::Assembly;
 use super::cylinders;
 use super::payload::{Drawing, PageJoint, PageLink};
 
 /// Half of a thousandth, the rounding of the page.
 const BAND: f64 = 0.0005;
-
-/// A drawing with the indices of its parts in the document.
-pub(super) struct Assembly {
-    pub(super) drawing: Drawing,
-    pub(super) document: Document,
-    /// Joints of the document by ids. A slide has that of its pin.
-    pub(super) joints: BTreeMap<String, usize>,
-    /// Links of the document by ids of roots and of their parts.
-    pub(super) links: BTreeMap<String, usize>,
-}
 
 /// Returns the mechanism of a drawing.
 pub(super) fn document(drawing: Drawing) -> Result<Document, ImportError> {
@@ -60,41 +51,6 @@ pub(super) fn document(drawing: Drawing) -> Result<Document, ImportError> {
         ));
     }
     Ok(assembly.document)
-}
-
-impl Assembly {
-    /// Returns the pin on the block of a slide: the older pages have a pin of its own there.
-    pub(super) fn pin(&self, slide: &PageJoint) -> Option<&PageJoint> {
-        let links = self.drawing.links.iter();
-        let mut blocks = links.filter(|link| link.is_block && link.joints.contains(&slide.id));
-        let block = blocks.next()?;
-        let id = block.joints.iter().find(|id| **id != slide.id)?;
-        self.drawing.joints.iter().find(|joint| joint.id == *id)
-    }
-
-    pub(super) fn joint(&self, id: &str) -> Result<usize, ImportError> {
-        let joint = self.joints.get(id).copied();
-        joint.ok_or_else(|| {
-            ImportError::new(format!(
-                "the address names the joint `{}`, which it lacks",
-                shown(id)
-            ))
-        })
-    }
-
-    pub(super) fn speed(&self, joint: &PageJoint) -> String {
-        let (speed, is_clockwise) = if joint.speed == 0.0 {
-            (self.drawing.speed, self.drawing.is_clockwise)
-        } else {
-            (joint.speed.abs(), joint.speed < 0.0)
-        };
-        let sense = if is_clockwise {
-            "clockwise"
-        } else {
-            "counterclockwise"
-        };
-        format!("{sense} at {} revolutions per minute", plain(speed))
-    }
 }
 
 fn joints(assembly: &mut Assembly) -> Result<(), ImportError> {
@@ -206,6 +162,7 @@ fn slot(assembly: &mut Assembly, slide: &PageJoint) -> Result<(), ImportError> {
             },
             travel: None,
             speed: None,
+            rate: None,
         });
     }
     Ok(())
@@ -244,11 +201,12 @@ fn motors(assembly: &mut Assembly) {
                 shown(&motor.name)
             ));
         }
-        let speed = Some(assembly.speed(motor));
+        let (speed, rate) = assembly.speed(motor);
         assembly.document.inputs.push(Input {
             kind: InputKind::Crank { link, pivot, base },
             travel: None,
-            speed,
+            speed: Some(speed),
+            rate: Some(rate),
         });
     }
 }

@@ -2,7 +2,11 @@
 
 use crate::document::{Document, FRAME, InputKind, SlotPath};
 
-use super::{MOST_BODIES, Pose};
+/// Larger mechanisms get the range of the drawing alone.
+const MOST_BODIES: usize = 80;
+
+/// A pose: three numbers for each body, as parts of the size.
+pub(super) type Pose = Vec<f64>;
 
 /// A point of a body in the drawing, as parts of the size.
 #[derive(Clone, Copy, Debug)]
@@ -111,11 +115,11 @@ impl System {
 
     fn add_rows(&self, equation: &Equation, pose: &Pose, values: &[f64], rows: &mut Vec<Vec<f64>>) {
         let unknowns = self.unknowns();
-        let mut row = Row(vec![0.0; unknowns + 1]);
+        let mut row = Coefficients(vec![0.0; unknowns + 1]);
         match equation {
             Equation::Coincide(a, b) => {
                 for axis in 0..2 {
-                    let mut row = Row(vec![0.0; unknowns + 1]);
+                    let mut row = Coefficients(vec![0.0; unknowns + 1]);
                     let mut along = [0.0; 2];
                     along[axis] = 1.0;
                     let a = self.moved(*a, pose);
@@ -164,7 +168,7 @@ impl System {
     /// The difference of two points along a direction of the second one's body.
     fn along(
         &self,
-        row: &mut Row,
+        row: &mut Coefficients,
         pose: &Pose,
         points: [BodyPoint; 2],
         direction: f64,
@@ -185,7 +189,7 @@ impl System {
     }
 
     /// The distance of two points minus the drawn one and a change.
-    fn distance(&self, row: &mut Row, pose: &Pose, points: [BodyPoint; 2], change: f64) {
+    fn distance(&self, row: &mut Coefficients, pose: &Pose, points: [BodyPoint; 2], change: f64) {
         let [a, b] = points;
         let drawn = (b.point[0] - a.point[0]).hypot(b.point[1] - a.point[1]);
         let [a, b] = points.map(|point| self.moved(point, pose));
@@ -233,9 +237,9 @@ struct MovedPoint {
 }
 
 /// A row of coefficients with the right side at its end.
-struct Row(Vec<f64>);
+struct Coefficients(Vec<f64>);
 
-impl Row {
+impl Coefficients {
     /// Adds the derivatives of a point along a direction.
     fn add(&mut self, point: MovedPoint, along: [f64; 2], factor: f64) {
         if let Some(body) = point.body {

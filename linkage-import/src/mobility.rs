@@ -5,18 +5,12 @@
 
 use crate::document::{Document, InputKind};
 
+mod constraints;
 mod elimination;
-mod equations;
 mod ranges;
 
-pub(crate) use equations::System;
+use constraints::System;
 pub(crate) use ranges::ranges;
-
-/// Larger mechanisms get the range of the drawing alone.
-pub(crate) const MOST_BODIES: usize = 80;
-
-/// A pose: three numbers for each body, as parts of the size.
-pub(crate) type Pose = Vec<f64>;
 
 /// Returns the mobility with some inputs held, or `None` for mechanisms that are too large.
 pub(crate) fn mobility(document: &Document, inputs: &[InputKind]) -> Option<usize> {

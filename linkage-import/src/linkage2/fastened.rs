@@ -5,7 +5,7 @@ use crate::error::ImportError;
 use crate::names::shown;
 use crate::xml::XmlElement;
 
-use super::{Sheet, identifier, is_mechanism, is_true, named};
+use super::sheet::{Sheet, identifier, is_mechanism, is_true, named};
 
 /// Reads links and fastenings.
 pub(super) fn read(sheet: &mut Sheet) -> Result<(), ImportError> {

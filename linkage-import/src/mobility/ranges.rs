@@ -4,8 +4,8 @@ use std::f64::consts::TAU;
 
 use crate::document::{Document, InputKind};
 
+use super::constraints::{Pose, System};
 use super::elimination::solve;
-use super::{Pose, System};
 
 /// A step of a crank in radians, and of a length as a part of the size.
 const ANGLE_STEP: f64 = TAU / 180.0;
@@ -25,7 +25,7 @@ const SMALLEST_PIVOT: f64 = 1e-5;
 /// A dead point is at the drawing if the way to it is shorter than this part of the margin.
 const NEAR_DEAD_POINT: f64 = 0.5;
 
-/// A range is given up to a dead point but for this part of it.
+/// A range ends before a dead point, by this part of it.
 const MARGIN: f64 = 0.03;
 
 /// The parts of the ranges of single inputs that boxes of several inputs have.

@@ -6,7 +6,7 @@ use crate::names::shown;
 use crate::number::{decimal, plain, rounded};
 use crate::xml::XmlElement;
 
-use super::{Sheet, identifier, is_mechanism, is_true};
+use super::sheet::{Sheet, identifier, is_mechanism, is_true};
 
 /// The program keeps radii of arcs above half of the distance of the limits, in its unit.
 const LEAST_EXCESS: f64 = 0.0009;

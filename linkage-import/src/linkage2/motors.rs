@@ -6,8 +6,11 @@ use crate::names::shown;
 use crate::number::{decimal, plain, rounded};
 use crate::xml::XmlElement;
 
-use super::bodies::unite;
-use super::{Sheet, identifier, is_mechanism, is_true};
+use super::fastened::unite;
+use super::sheet::{Sheet, identifier, is_mechanism, is_true};
+
+/// A revolution per minute.
+const DEGREES_PER_SECOND: f64 = 6.0;
 
 /// Reads motors, then cylinders, then gears.
 pub(super) fn read(sheet: &mut Sheet) -> Result<(), ImportError> {
@@ -87,6 +90,7 @@ fn motor(sheet: &mut Sheet, connector: &XmlElement) -> Result<(), ImportError> {
             "{direction} at {} revolutions per minute{manual}",
             plain(rpm.abs())
         )),
+        rate: Some(-DEGREES_PER_SECOND * rpm),
     });
     Ok(())
 }
@@ -121,6 +125,7 @@ fn cylinder(sheet: &mut Sheet, link: &XmlElement, index: usize) -> Result<(), Im
             if cpm < 0.0 { "retracts" } else { "extends" },
             plain(cpm.abs())
         )),
+        rate: None,
     });
     Ok(())
 }

@@ -1,11 +1,12 @@
 //! Inputs: their values in the drawing, and ranges in which the mechanism stays together.
 
 use crate::document::{Document, FRAME, InputKind, SlotPath};
+use crate::mobility;
 use crate::names::{in_comment, shown};
 use crate::number::plain;
-use crate::reach;
 
 use super::spelling::Spelling;
+use super::wrapped::comment;
 
 /// An input as text.
 pub(super) struct Drive {
@@ -17,6 +18,8 @@ pub(super) struct Drive {
     pub(super) clause: String,
     /// The joint that a crank points to from its pivot.
     pub(super) target: Option<usize>,
+    /// The value in the drawing with its unit.
+    value: String,
 }
 
 /// The range that is written where none is known, in degrees and as a part of a length.
@@ -25,7 +28,7 @@ const SMALL_PART: f64 = 0.05;
 
 /// Returns the inputs, with warnings about those that cannot move.
 pub(super) fn drives(document: &mut Document, spelling: &Spelling) -> Vec<Drive> {
-    let ranges = reach::ranges(document);
+    let ranges = mobility::ranges(document);
     if ranges.is_none() {
         explain(document);
     }
@@ -61,10 +64,34 @@ pub(super) fn drives(document: &mut Document, spelling: &Spelling) -> Vec<Drive>
     drives
 }
 
+/// Several motors run together in the file: their angles as functions of one time.
+pub(super) fn together(document: &Document, drives: &[Drive], text: &mut String) {
+    let motors = drives.iter().zip(&document.inputs);
+    let motors = motors.filter_map(|(drive, input)| {
+        let rate = input.rate?;
+        let sign = if rate < 0.0 { '-' } else { '+' };
+        let Drive { name, value, .. } = drive;
+        Some(format!(
+            "{name} = {value} {sign} {}deg/s * t",
+            plain(rate.abs())
+        ))
+    });
+    let motors: Vec<String> = motors.collect();
+    if motors.len() > 1 {
+        let words = format!("In the file they run together: {}.", motors.join(", "));
+        comment(text, "    // ", &words);
+    }
+    if drives.len() > 1 && motors.len() < drives.len() {
+        let words = "Inputs without a rate move to and fro, or as the user of the program moves \
+                     them: they are no functions of that time.";
+        comment(text, "    // ", words);
+    }
+}
+
 /// A warning for drawings whose mobility is not the number of their inputs.
 fn explain(document: &mut Document) {
     let kinds: Vec<InputKind> = document.inputs.iter().map(|input| input.kind).collect();
-    let warning = match reach::mobility(document, &[]) {
+    let warning = match mobility::mobility(document, &[]) {
         Some(0) => "nothing can move in the drawing: ranges of inputs are not known".to_owned(),
         Some(free) if free != kinds.len() => format!(
             "the drawing has the mobility {free} and {} inputs: ranges are not known",
@@ -141,6 +168,7 @@ fn crank(
         kind: document.inputs[index].kind,
         clause,
         target: Some(target),
+        value: format!("{}deg", plain(reference)),
     }
 }
 
@@ -182,6 +210,7 @@ fn linear(
         line,
         kind: document.inputs[index].kind,
         target: None,
+        value: format!("{}{unit}", plain(reference)),
     }
 }
 
