@@ -14,6 +14,7 @@ mod check;
 mod choose;
 mod declaration;
 mod hold;
+mod import;
 mod js;
 mod loops;
 mod memory;
@@ -22,6 +23,7 @@ mod output;
 mod page;
 mod range;
 mod replaced;
+mod robot;
 mod running_input;
 mod rust;
 mod st;
@@ -44,6 +46,8 @@ struct Arguments {
 enum Command {
     /// Writes a commented mechanism to start from
     New(new::Options),
+    /// Turns a file of another program into a mechanism, with joints and links
+    Import(import::Options),
     /// Tells all mistakes, then structure, assemblies, ranges and operation counts
     Check {
         /// Files with mechanisms
@@ -74,6 +78,10 @@ enum Command {
     Rust(rust::Options),
     /// Structured text for programmable controllers
     St(st::Options),
+    /// A robot description for ROS: bodies and joints, the passive ones as `mimic`
+    Urdf(robot::UrdfOptions),
+    /// A model for MuJoCo: bodies and joints, loops as constraints or as polynomials
+    Mjcf(robot::MjcfOptions),
 }
 
 /// Runs the command in the arguments of the process: exit status 0, 1 for bad input, 2 for wrong
@@ -92,6 +100,7 @@ pub fn run() -> ExitCode {
             table::run(options)
         }
         Command::New(options) => new::run(options),
+        Command::Import(options) => import::run(options),
         Command::Page(options) => page::run(options),
         Command::Tolerance(options) => tolerance::run(options),
         Command::Hold(options) => hold::run(options),
@@ -102,6 +111,8 @@ pub fn run() -> ExitCode {
         Command::Js(options) => js::run(options),
         Command::Rust(options) => rust::run(options),
         Command::St(options) => st::run(options),
+        Command::Urdf(options) => robot::write_urdf(options),
+        Command::Mjcf(options) => robot::write_mjcf(options),
     };
     match result {
         Ok(()) => ExitCode::SUCCESS,

@@ -9,7 +9,7 @@ use std::thread;
 use crate::lexer::{Lexed, lexed};
 
 /// Crates by their folders; the facade has its sources in `src`.
-pub(crate) const CRATES: [&str; 19] = [
+pub(crate) const CRATES: [&str; 20] = [
     "linkage-analysis",
     "linkage-c",
     "linkage-cli",
@@ -19,6 +19,7 @@ pub(crate) const CRATES: [&str; 19] = [
     "linkage-formats",
     "linkage-engine",
     "linkage-export",
+    "linkage-import",
     "linkage-js",
     "linkage-language",
     "linkage-macros",

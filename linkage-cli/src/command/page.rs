@@ -1,7 +1,7 @@
 //! `linkage page`: the report of all functions.
 
 mod banner;
-mod derived_functions;
+pub(super) mod derived_functions;
 mod report;
 mod watched;
 

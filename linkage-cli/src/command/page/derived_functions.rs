@@ -89,7 +89,7 @@ fn unknowns(mechanism: &Mechanism) -> String {
 }
 
 /// Selections of inputs with the first one, which runs: the largest first.
-fn selections<'a>(inputs: &[&'a str]) -> Vec<Vec<&'a str>> {
+pub(in crate::command) fn selections<'a>(inputs: &[&'a str]) -> Vec<Vec<&'a str>> {
     let [first, others @ ..] = inputs else {
         return Vec::new();
     };
@@ -106,7 +106,11 @@ fn selections<'a>(inputs: &[&'a str]) -> Vec<Vec<&'a str>> {
 }
 
 /// The mechanism of this name with further functions, if the compiler accepts them.
-fn compiled(source: &Source, name: &str, functions: &str) -> Option<Mechanism> {
+pub(in crate::command) fn compiled(
+    source: &Source,
+    name: &str,
+    functions: &str,
+) -> Option<Mechanism> {
     let further: TokenStream = format!("impl {name} {{ {functions} }}").parse().ok()?;
     let mut all = source.calls().iter().flat_map(|call| {
         let tokens = call.tokens.clone().into_iter().chain(further.clone());

@@ -1,0 +1,245 @@
+//! The bodies, joints and loads of a mechanism as they are written, and the functions that compute
+//! them.
+
+use linkage_compiler::shortened;
+use linkage_engine::Source;
+use linkage_language::diagnostic::{Diagnostics, SourceSpan};
+use linkage_language::syntax::{
+    BodyItem, Expr, ExprKind, Item, JointKind, JointPart, MechanismDef, parse,
+};
+
+use crate::failure::Failure;
+
+/// A joint as it is written.
+pub(super) struct DeclaredJoint {
+    pub(super) kind: JointKind,
+    pub(super) name: Option<String>,
+    /// The index of the other body; `None` is the frame.
+    pub(super) on: Option<usize>,
+    at: String,
+    direction: Option<String>,
+}
+
+/// A body as it is written.
+pub(super) struct DeclaredBody {
+    pub(super) name: String,
+    pub(super) joint: DeclaredJoint,
+    turns: Option<String>,
+    /// Each mass and its centre.
+    masses: Vec<[String; 2]>,
+    inertias: Vec<DeclaredInertia>,
+}
+
+/// A moment of inertia: one number, three, or the nine of a matrix.
+struct DeclaredInertia {
+    numbers: Vec<String>,
+    at: Option<String>,
+}
+
+/// Bodies and joints of a mechanism.
+pub(super) struct Declared {
+    pub(super) bodies: Vec<DeclaredBody>,
+    /// Joints that close loops, each with its first body.
+    pub(super) closures: Vec<(Option<usize>, DeclaredJoint)>,
+    gravity: Option<String>,
+    /// Loads that a description of links and joints has no place for.
+    pub(super) loads: Vec<&'static str>,
+}
+
+/// Names of fields of the two functions.
+pub(super) fn field(kind: &str, index: usize) -> String {
+    format!("{kind}{index}")
+}
+
+/// The field of a mass or an inertia of a body.
+pub(super) fn entry(kind: &str, body: usize, index: usize) -> String {
+    format!("{kind}{body}_{index}")
+}
+
+impl Declared {
+    /// Reads the bodies of the mechanism of this name.
+    pub(super) fn read(source: &Source, name: &str) -> Result<Self, Failure> {
+        let definitions = source
+            .calls()
+            .iter()
+            .flat_map(|call| parse(call.tokens.clone(), &mut Diagnostics::default()));
+        let mut named = definitions.filter(|definition| definition.title() == name);
+        let definition = named.next().ok_or(Failure::Silent)?;
+        declared(source.text(), &definition)
+    }
+
+    /// The quantities of a function that computes positions and directions.
+    pub(super) fn positions(&self) -> String {
+        let mut fields = Vec::new();
+        for (index, body) in self.bodies.iter().enumerate() {
+            add_joint(&mut fields, "", index, &body.joint);
+            if let Some(turns) = &body.turns {
+                fields.push(format!("{}: {turns}", field("turns", index)));
+            }
+            for (number, [_, at]) in body.masses.iter().enumerate() {
+                fields.push(format!("{}: {at}", entry("centre", index, number)));
+            }
+            for (number, inertia) in body.inertias.iter().enumerate() {
+                let at = inertia.at.iter();
+                fields.extend(at.map(|at| format!("{}: {at}", entry("about", index, number))));
+            }
+        }
+        for (index, (_, joint)) in self.closures.iter().enumerate() {
+            add_joint(&mut fields, "closing_", index, joint);
+        }
+        fields.join(", ")
+    }
+
+    /// The quantities of a function that computes what is constant: masses and gravity. Empty if
+    /// there are none.
+    pub(super) fn constants(&self) -> String {
+        let mut fields = Vec::new();
+        for (index, body) in self.bodies.iter().enumerate() {
+            for (number, [mass, _]) in body.masses.iter().enumerate() {
+                fields.push(format!("{}: {mass}", entry("mass", index, number)));
+            }
+            for (number, inertia) in body.inertias.iter().enumerate() {
+                let numbers = inertia.numbers.iter().enumerate();
+                let numbers = numbers.map(|(component, text)| {
+                    let name = entry("inertia", index, number);
+                    format!("{name}_{component}: {text}")
+                });
+                fields.extend(numbers);
+            }
+        }
+        if let Some(gravity) = &self.gravity {
+            fields.push(format!("gravity: {gravity}"));
+        }
+        fields.join(", ")
+    }
+}
+
+impl DeclaredBody {
+    pub(super) fn has_turns(&self) -> bool {
+        self.turns.is_some()
+    }
+
+    pub(super) fn mass_count(&self) -> usize {
+        self.masses.len()
+    }
+
+    /// The count of numbers of each inertia, and if it is about a point.
+    pub(super) fn inertias(&self) -> impl Iterator<Item = (usize, bool)> {
+        let inertias = self.inertias.iter();
+        inertias.map(|inertia| (inertia.numbers.len(), inertia.at.is_some()))
+    }
+}
+
+impl DeclaredJoint {
+    pub(super) fn has_direction(&self) -> bool {
+        self.direction.is_some()
+    }
+}
+
+fn add_joint(fields: &mut Vec<String>, prefix: &str, index: usize, joint: &DeclaredJoint) {
+    let name = |kind: &str| field(&format!("{prefix}{kind}"), index);
+    fields.push(format!("{}: {}", name("at"), joint.at));
+    if let Some(direction) = &joint.direction {
+        fields.push(format!("{}: {direction}", name("along")));
+    }
+}
+
+fn declared(text: &str, definition: &MechanismDef) -> Result<Declared, Failure> {
+    let name = definition.title();
+    let bodies: Vec<&BodyItem> = definition
+        .items
+        .iter()
+        .filter_map(|item| match item {
+            Item::Body(body) => Some(body),
+            _ => None,
+        })
+        .collect();
+    let has_parts = definition
+        .items
+        .iter()
+        .any(|item| matches!(item, Item::Part(_)));
+    if has_parts {
+        return Err(Failure::Told(format!(
+            "{name} has parts, whose bodies are not written\nhelp: write the mechanism of a part, by `--mechanism NAME`"
+        )));
+    }
+    if bodies.is_empty() {
+        return Err(Failure::Told(format!(
+            "{name} has no `body`, and a robot consists of bodies and joints\nhelp: write `body crank = pin on frame at (0, 0), turns phi, mass 0.1kg at p / 2;` for each link, and a joint `pin on coupler and rocker` for each loop, as on the page Forces"
+        )));
+    }
+    let index_of = |name: &str| bodies.iter().position(|body| body.name == name);
+    let joint = |part: &JointPart| DeclaredJoint {
+        kind: part.kind,
+        name: part.name.as_ref().map(ToString::to_string),
+        on: index_of(&part.on.text),
+        at: written(text, &part.at),
+        direction: part.direction.as_ref().map(|way| written(text, way)),
+    };
+    let mut closures = Vec::new();
+    let mut gravity = None;
+    let mut loads = Vec::new();
+    for item in &definition.items {
+        match item {
+            Item::Joint(item) => closures.push((index_of(&item.body.text), joint(&item.joint))),
+            Item::Gravity(item) => gravity = Some(written(text, &item.value)),
+            Item::Force(_) => loads.push("force"),
+            Item::Torque(_) => loads.push("torque"),
+            Item::Spring(_) => loads.push("spring"),
+            Item::Damper(_) => loads.push("damper"),
+            _ => {}
+        }
+    }
+    loads.sort_unstable();
+    loads.dedup();
+    let body = |item: &&BodyItem| DeclaredBody {
+        name: item.name.to_string(),
+        joint: joint(&item.joint),
+        turns: item.turns.as_ref().map(|turns| written(text, turns)),
+        masses: item
+            .masses
+            .iter()
+            .map(|part| [&part.mass, &part.at].map(|value| written(text, value)))
+            .collect(),
+        inertias: item
+            .inertias
+            .iter()
+            .map(|part| DeclaredInertia {
+                numbers: components(text, &part.inertia),
+                at: part.at.as_ref().map(|at| written(text, at)),
+            })
+            .collect(),
+    };
+    Ok(Declared {
+        bodies: bodies.iter().map(body).collect(),
+        closures,
+        gravity,
+        loads,
+    })
+}
+
+/// The numbers of nested lists, in their order.
+fn components(text: &str, value: &Expr) -> Vec<String> {
+    match &value.kind {
+        ExprKind::Tuple(parts) => parts
+            .iter()
+            .flat_map(|part| components(text, part))
+            .collect(),
+        _ => vec![written(text, value)],
+    }
+}
+
+/// The text of an expression, in brackets.
+fn written(text: &str, value: &Expr) -> String {
+    let SourceSpan { first, last } = value.span;
+    let range = first.byte_range().start..last.byte_range().end;
+    format!("({})", text.get(range).unwrap_or_default())
+}
+
+/// A body or the frame, as messages name it.
+pub(super) fn name_of(bodies: &[DeclaredBody], body: Option<usize>) -> String {
+    match body {
+        Some(index) => format!("`{}`", shortened(&bodies[index].name)),
+        None => "`frame`".to_owned(),
+    }
+}

@@ -1,0 +1,270 @@
+//! A mechanism as files describe it: joints, links, slots, gears and inputs.
+
+use crate::error::ImportError;
+
+/// The index of the fixed link.
+pub(crate) const FRAME: usize = 0;
+
+/// The greatest numbers of joints and of links: files of people have some dozens.
+pub(crate) const MOST_JOINTS: usize = 2000;
+pub(crate) const MOST_LINKS: usize = 2000;
+
+/// The greatest magnitude of a coordinate, in the unit of the file.
+pub(crate) const LARGEST_COORDINATE: f64 = 1e9;
+
+/// A mechanism of a file. Lengths are in `unit`.
+#[derive(Clone, Debug)]
+pub(crate) struct Document {
+    /// The format in a few words, for the heading.
+    pub(crate) origin: String,
+    /// The name of the mechanism in the file, or empty.
+    pub(crate) name: String,
+    pub(crate) unit: LengthUnit,
+    /// The largest rounding error of a coordinate. Zero if all digits are stored.
+    pub(crate) band: f64,
+    pub(crate) joints: Vec<Joint>,
+    /// The first one is the fixed link.
+    pub(crate) links: Vec<Link>,
+    pub(crate) slots: Vec<Slot>,
+    pub(crate) gears: Vec<GearPair>,
+    pub(crate) inputs: Vec<Input>,
+    /// Facts for the comments of the text.
+    pub(crate) remarks: Vec<String>,
+    /// Everything that was not taken, or that the user should confirm.
+    pub(crate) warnings: Vec<String>,
+}
+
+/// A unit of lengths.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum LengthUnit {
+    Millimetre,
+    Centimetre,
+    Metre,
+    Inch,
+}
+
+impl LengthUnit {
+    pub(crate) fn name(self) -> &'static str {
+        match self {
+            Self::Millimetre => "mm",
+            Self::Centimetre => "cm",
+            Self::Metre => "m",
+            Self::Inch => "inch",
+        }
+    }
+
+    /// Returns the unit of a name in a file.
+    pub(crate) fn named(name: &str) -> Option<Self> {
+        match &name.trim().to_ascii_lowercase()[..] {
+            "mm" | "millimetre" | "millimeter" | "millimetres" | "millimeters" => {
+                Some(Self::Millimetre)
+            }
+            "cm" | "centimetre" | "centimeter" | "centimetres" | "centimeters" => {
+                Some(Self::Centimetre)
+            }
+            "m" | "metre" | "meter" | "metres" | "meters" => Some(Self::Metre),
+            "inch" | "in" | "inches" => Some(Self::Inch),
+            _ => None,
+        }
+    }
+}
+
+/// A point that links share.
+#[derive(Clone, Debug)]
+pub(crate) struct Joint {
+    /// The name in the file.
+    pub(crate) name: String,
+    pub(crate) position: [f64; 2],
+    /// True for points that no file has, such as centres of arcs and of masses.
+    pub(crate) is_derived: bool,
+}
+
+/// A rigid body.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Link {
+    pub(crate) name: String,
+    /// Indices of joints.
+    pub(crate) joints: Vec<usize>,
+    pub(crate) mass: Option<Mass>,
+}
+
+/// A mass with its units as text, and the joint at its centre.
+#[derive(Clone, Debug)]
+pub(crate) struct Mass {
+    pub(crate) mass: String,
+    pub(crate) inertia: Option<String>,
+    pub(crate) centre: usize,
+}
+
+/// A pin that slides on a link.
+#[derive(Clone, Debug)]
+pub(crate) struct Slot {
+    pub(crate) pin: usize,
+    /// The link with the slot.
+    pub(crate) guide: usize,
+    pub(crate) path: SlotPath,
+    /// A link that does not turn in the guide.
+    pub(crate) block: Option<usize>,
+}
+
+/// The centre line of a slot.
+#[derive(Clone, Debug)]
+pub(crate) enum SlotPath {
+    /// The line through two joints of the guide.
+    Joints(usize, usize),
+    /// A direction of the drawing through the pin: radians, and the same as text with a unit.
+    /// A guide that moves has a joint there.
+    Direction(f64, String, Option<usize>),
+    /// An arc about a joint of the guide.
+    Arc { centre: usize, radius: f64 },
+}
+
+/// Two wheels that mesh, or that a chain connects.
+#[derive(Clone, Debug)]
+pub(crate) struct GearPair {
+    pub(crate) wheels: [usize; 2],
+    pub(crate) sizes: [f64; 2],
+    /// The link that has the axes of both wheels.
+    pub(crate) arm: usize,
+    pub(crate) is_chain: bool,
+}
+
+/// A motor or a cylinder.
+#[derive(Clone, Debug)]
+pub(crate) struct Input {
+    pub(crate) kind: InputKind,
+    /// The travel from the drawn position that the file allows: lengths for cylinders and slots.
+    pub(crate) travel: Option<[f64; 2]>,
+    /// The speed in the file, as text.
+    pub(crate) speed: Option<String>,
+    /// The speed of a motor in degrees per second, counterclockwise.
+    pub(crate) rate: Option<f64>,
+}
+
+/// The coordinate that an input sets.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum InputKind {
+    /// The angle of a link about a pivot, against the link `base`.
+    Crank {
+        link: usize,
+        pivot: usize,
+        base: usize,
+    },
+    /// The distance of the two joints of a link.
+    Length { link: usize },
+    /// The position of a pin in a slot.
+    Position { slot: usize },
+}
+
+impl Document {
+    pub(crate) fn new(origin: &str, unit: LengthUnit) -> Self {
+        Self {
+            origin: origin.to_owned(),
+            name: String::new(),
+            unit,
+            band: 0.0,
+            joints: Vec::new(),
+            links: vec![Link {
+                name: "frame".to_owned(),
+                ..Link::default()
+            }],
+            slots: Vec::new(),
+            gears: Vec::new(),
+            inputs: Vec::new(),
+            remarks: Vec::new(),
+            warnings: Vec::new(),
+        }
+    }
+
+    /// Adds a joint and returns its index.
+    pub(crate) fn add_joint(&mut self, name: impl Into<String>, position: [f64; 2]) -> usize {
+        self.joints.push(Joint {
+            name: name.into(),
+            position,
+            is_derived: false,
+        });
+        self.joints.len() - 1
+    }
+
+    /// Adds a joint that the file does not have.
+    pub(crate) fn add_derived(&mut self, name: impl Into<String>, position: [f64; 2]) -> usize {
+        let index = self.add_joint(name, position);
+        self.joints[index].is_derived = true;
+        index
+    }
+
+    /// Adds a link and returns its index.
+    pub(crate) fn add_link(&mut self, name: impl Into<String>, joints: Vec<usize>) -> usize {
+        self.links.push(Link {
+            name: name.into(),
+            joints,
+            mass: None,
+        });
+        self.links.len() - 1
+    }
+
+    /// Adds a joint to a link unless it is there.
+    pub(crate) fn attach(&mut self, joint: usize, link: usize) {
+        let joints = &mut self.links[link].joints;
+        if !joints.contains(&joint) {
+            joints.push(joint);
+        }
+    }
+
+    /// Returns true if a joint is fixed.
+    pub(crate) fn is_fixed(&self, joint: usize) -> bool {
+        self.links[FRAME].joints.contains(&joint)
+    }
+
+    /// Returns the links of a joint, the fixed one first.
+    pub(crate) fn links_of(&self, joint: usize) -> Vec<usize> {
+        let links = self.links.iter().enumerate();
+        let with_joint = links.filter(|(_, link)| link.joints.contains(&joint));
+        with_joint.map(|(index, _)| index).collect()
+    }
+
+    pub(crate) fn distance(&self, first: usize, second: usize) -> f64 {
+        let [a, b] = [first, second].map(|joint| self.joints[joint].position);
+        (b[0] - a[0]).hypot(b[1] - a[1])
+    }
+
+    /// Returns the direction from a joint to another in radians.
+    pub(crate) fn direction(&self, from: usize, to: usize) -> f64 {
+        let [a, b] = [from, to].map(|joint| self.joints[joint].position);
+        (b[1] - a[1]).atan2(b[0] - a[0])
+    }
+
+    /// Returns the pair of joints with the largest distance, and the distance.
+    pub(crate) fn largest_distance(&self) -> Option<(usize, usize, f64)> {
+        let mut largest: Option<(usize, usize, f64)> = None;
+        for second in 0..self.joints.len() {
+            for first in 0..second {
+                let distance = self.distance(first, second);
+                if largest.is_none_or(|largest| distance > largest.2) {
+                    largest = Some((first, second, distance));
+                }
+            }
+        }
+        largest
+    }
+
+    /// Checks the limits of numbers and sizes.
+    pub(crate) fn check(&self) -> Result<(), ImportError> {
+        if self.joints.len() > MOST_JOINTS || self.links.len() > MOST_LINKS {
+            return Err(ImportError::new(format!(
+                "the file has more than {MOST_JOINTS} joints or {MOST_LINKS} links"
+            )));
+        }
+        for joint in &self.joints {
+            let is_wrong = |value: &f64| !value.is_finite() || value.abs() > LARGEST_COORDINATE;
+            if joint.position.iter().any(is_wrong) {
+                let [x, y] = joint.position;
+                return Err(ImportError::new(format!(
+                    "joint `{}` is at ({x:e}, {y:e}), which is too far away",
+                    crate::names::shown(&joint.name)
+                )));
+            }
+        }
+        Ok(())
+    }
+}

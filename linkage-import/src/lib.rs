@@ -1,0 +1,112 @@
+//! Readers of the files of other programs for linkages.
+//!
+//! [`import`] turns a file, or the address of a page, into a commented text in the language of
+//! linkage. Each length has a comment with the band in which the rounding of the file leaves it.
+//! Everything that could not be taken is a comment of the text and a warning.
+
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+mod page {}
+
+mod choose;
+mod document;
+mod error;
+mod format;
+mod hard_points;
+mod joint_table;
+mod linkage2;
+mod mobility;
+mod names;
+mod number;
+mod options;
+mod pmks;
+mod pylinkage;
+mod pyslvs;
+mod robots;
+mod tidy;
+mod writer;
+mod xml;
+
+use document::Document;
+
+pub use error::ImportError;
+pub use format::Format;
+pub use options::Options;
+
+/// A mechanism that was read from a file of another program.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Import {
+    /// The text of a file with one mechanism.
+    pub text: String,
+    /// Everything that could not be taken, or should be confirmed, one sentence each.
+    pub warnings: Vec<String>,
+}
+
+/// Returns the mechanism of a file as text, with joints and links.
+///
+/// `name` is the name of the file, or an address. It decides the format, together with the first
+/// bytes of the content, unless the options name one. For an address the content is empty: the
+/// address itself has the mechanism.
+///
+/// # Errors
+///
+/// Files of no known format, that break their format, or that are larger than any mechanism.
+pub fn import(content: &[u8], name: &str, options: &Options) -> Result<Import, ImportError> {
+    let format = match options.format {
+        Some(format) => format,
+        None => Format::detected(content, name)?,
+    };
+    let document = match format {
+        Format::Linkage => linkage2::read(content)?,
+        Format::Pmks => pmks::read(content, name)?,
+        Format::Pyslvs => pyslvs::read(content)?,
+        Format::Pylinkage => pylinkage::read(content)?,
+        Format::JointTable => joint_table::read(content)?,
+        Format::Mjcf | Format::Urdf | Format::Sdf => {
+            let (text, warnings) = robots::import(content, format, name, options)?;
+            return Ok(Import { text, warnings });
+        }
+        Format::HardPoints => {
+            let (text, warnings) = hard_points::import(content, name, options)?;
+            return Ok(Import { text, warnings });
+        }
+    };
+    written(document, name, options)
+}
+
+/// The message about a drawing of which no link is left, with all that was found out.
+fn nothing_moves(document: &Document) -> ImportError {
+    let facts = document.warnings.iter().chain(&document.remarks);
+    let facts: Vec<&str> = facts.map(String::as_str).take(5).collect();
+    ImportError::new(format!(
+        "no link of the drawing moves\nhelp: {}",
+        facts.join("; ")
+    ))
+}
+
+/// Writes the mechanism of a drawing.
+fn written(mut document: Document, name: &str, options: &Options) -> Result<Import, ImportError> {
+    document.check()?;
+    tidy::tidy(&mut document);
+    if document.links.len() == 1 {
+        return Err(nothing_moves(&document));
+    }
+    choose::named(&mut document, &options.inputs)?;
+    choose::missing(&mut document);
+    let is_address = name.contains("://");
+    let file = name.rsplit(['/', '\\']).next().unwrap_or_default();
+    let stem = file.split_once('.').map_or(file, |parts| parts.0);
+    let called = match &options.mechanism {
+        Some(mechanism) => mechanism,
+        None if !document.name.trim().is_empty() => &document.name,
+        None if is_address => "drawing",
+        None => stem,
+    };
+    let type_name = names::type_name(called);
+    let file = if is_address { "an address" } else { file };
+    let text = writer::text(&mut document, &type_name, file);
+    Ok(Import {
+        text,
+        warnings: document.warnings,
+    })
+}

@@ -1,0 +1,23 @@
+//! Choices that a file leaves open.
+
+use crate::format::Format;
+
+/// Choices of the user for [`import`](crate::import).
+#[derive(Clone, Debug, Default)]
+pub struct Options {
+    /// The format, if neither name nor content decide it.
+    pub format: Option<Format>,
+    /// The name of the mechanism, otherwise from the name of the file.
+    pub mechanism: Option<String>,
+    /// Inputs: a pivot and another joint of the link that turns, `"p0,p1"`. They replace those of
+    /// the file.
+    pub inputs: Vec<String>,
+    /// For hard points: the directions of x, y and z, `forward,left,up`.
+    pub axes: Option<String>,
+    /// For hard points: the unit of lengths, `mm`.
+    pub length: Option<String>,
+    /// For hard points: `left` or `right`.
+    pub side: Option<String>,
+    /// For hard points: roles of points with other names, `lower_ball=P3`.
+    pub roles: Vec<String>,
+}

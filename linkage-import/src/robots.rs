@@ -1,0 +1,153 @@
+//! Robot descriptions: MJCF, URDF and SDF, whose loops are closed by constraints or couplings.
+//!
+//! All three become one [`model`]: bodies in a tree of joints, and closures. A robot whose hinges are
+//! parallel is written in the plane.
+
+mod analysis;
+mod attribute_numbers;
+mod chain;
+mod mjcf;
+mod model;
+mod motion_plane;
+mod placement;
+mod planar;
+mod sdf;
+mod spatial;
+mod urdf;
+mod wording;
+
+use std::fmt::Write;
+
+use crate::error::ImportError;
+use crate::format::Format;
+use crate::names::{in_comment, shown, type_name};
+use crate::options::Options;
+use crate::xml;
+use analysis::analyse;
+use chain::Chain;
+use model::Robot;
+use motion_plane::Plane;
+pub(crate) use placement::{Placement, Vector, cross, difference, dot, length, normals, unit};
+use wording::{Sections, Wording};
+
+/// Reads a robot and writes it as a mechanism. Returns the text and the warnings.
+pub(crate) fn import(
+    content: &[u8],
+    format: Format,
+    file: &str,
+    options: &Options,
+) -> Result<(String, Vec<String>), ImportError> {
+    let text = std::str::from_utf8(content)
+        .map_err(|_| ImportError::new("the file is no text in UTF-8"))?;
+    let root = xml::read(text)?;
+    let robot = match format {
+        Format::Mjcf => mjcf::read(&root)?,
+        Format::Sdf => sdf::read(&root)?,
+        _ => urdf::read(&root)?,
+    };
+    if robot.bodies.len() < 2 {
+        return Err(ImportError::new(
+            "nothing moves in the file: it has no joint",
+        ));
+    }
+    let chain = Chain::new(&robot);
+    let analysis = analyse(&chain, &options.inputs)?;
+    let mut wording = Wording::new(&chain, &analysis);
+    let sections = match chain.plane {
+        Some(plane) => planar::sections(&mut wording, plane),
+        None => spatial::sections(&mut wording),
+    };
+    let name = options.mechanism.as_deref().unwrap_or(&robot.name);
+    let name = type_name(name);
+    let inputs: Vec<&str> = analysis
+        .inputs
+        .iter()
+        .map(|index| wording.joints[chain.coordinates[*index].body].as_str())
+        .collect();
+    let mut warnings = robot.warnings.clone();
+    warnings.extend(sections.warnings.iter().cloned());
+    warnings.extend(left_out(&robot));
+    let text = written(
+        &robot,
+        &sections,
+        &inputs,
+        &name,
+        file,
+        chain.plane,
+        &warnings,
+    );
+    Ok((text, warnings))
+}
+
+/// Names what is not used.
+fn left_out(robot: &Robot) -> Option<String> {
+    let all: Vec<String> = robot
+        .left_out
+        .iter()
+        .map(|(name, count)| match count {
+            1 => name.clone(),
+            count => format!("{count} {name}"),
+        })
+        .collect();
+    (!all.is_empty()).then(|| format!("not taken: {}", all.join(", ")))
+}
+
+fn written(
+    robot: &Robot,
+    sections: &Sections,
+    inputs: &[&str],
+    name: &str,
+    file: &str,
+    plane: Option<Plane>,
+    warnings: &[String],
+) -> String {
+    let mut text = format!("// From {}.\n", in_comment(&shown(file)));
+    if let Some(plane) = plane {
+        let [x, y] = plane.axes.map(|axis| format!("{axis:?}"));
+        let _ = writeln!(
+            text,
+            "// All hinges are parallel: x is {x} of the file, y is {y}. Distances across are left out."
+        );
+    }
+    text += "// Angles and shifts are from the drawn position, where all joints of the file are zero.\n";
+    for warning in warnings {
+        let _ = writeln!(text, "// {}", in_comment(warning));
+    }
+    let title = in_comment(&shown(&robot.name));
+    let _ = writeln!(text, "\n/// {title}\npub struct {name} {{\n    unit m;");
+    for lines in [
+        &sections.inputs,
+        &sections.parameters,
+        &sections.unknowns,
+        &sections.lets,
+        &sections.loops,
+        &sections.bodies,
+    ] {
+        if !lines.is_empty() {
+            text.push('\n');
+        }
+        for line in lines {
+            let _ = writeln!(text, "    {line}");
+        }
+    }
+    let arguments = inputs.join(", ");
+    let quantities = sections.quantities.join(", ");
+    let _ = writeln!(
+        text,
+        "}}\n\nimpl {name} {{\n    /// Joints and their angles.\n    pub fn motion({arguments}) -> Motion {{ {quantities} }}"
+    );
+    if !sections.links.is_empty() {
+        let links: Vec<String> = sections
+            .links
+            .iter()
+            .map(|points| format!("[{}]", points.join(", ")))
+            .collect();
+        let _ = writeln!(
+            text,
+            "\n    /// The links, for the drawing.\n    pub fn shape({arguments}) -> Shape {{ shape: picture({}) }}",
+            links.join(", ")
+        );
+    }
+    text += "}\n";
+    text
+}

@@ -1,0 +1,243 @@
+//! The text of a robot that moves in space.
+
+use super::model::{Body, ClosingJoint, Motion};
+use super::placement::{AXES, Vector, difference, length, normals};
+use super::wording::{Sections, Wording, digits};
+
+/// The text of a mechanism of space that is being written.
+struct Writer<'w, 'c> {
+    wording: &'w mut Wording<'c>,
+    sections: Sections,
+    /// Parameters by bodies and what they lead to.
+    offsets: Vec<(usize, Vector, String)>,
+}
+
+/// Writes the mechanism.
+pub(super) fn sections(wording: &mut Wording) -> Sections {
+    let mut writer = Writer {
+        wording,
+        sections: Sections::default(),
+        offsets: Vec::new(),
+    };
+    for index in writer.wording.analysis.inputs.clone() {
+        writer.wording.input(index, &mut writer.sections);
+    }
+    for body in 1..writer.wording.chain.robot.bodies.len() {
+        writer.body(body);
+    }
+    for index in 0..writer.wording.chain.robot.closures.len() {
+        writer.closure(index);
+    }
+    writer.masses();
+    writer.sections
+}
+
+impl Writer<'_, '_> {
+    fn of_body(&self, body: usize) -> &Body {
+        &self.wording.chain.robot.bodies[body]
+    }
+
+    fn is_input(&self, body: usize) -> bool {
+        let coordinates = &self.wording.chain.coordinates;
+        let mut inputs = self.wording.analysis.inputs.iter();
+        inputs.any(|index| coordinates[*index].body == body)
+    }
+
+    fn is_rod(&self, body: usize) -> bool {
+        let mut rods = self.wording.chain.rods.iter();
+        rods.any(|rod| rod.body == body)
+    }
+
+    /// A vector that is turned as a body is.
+    fn turned(&self, body: usize, vector: String, is_length: bool) -> String {
+        let Some(joint) = &self.of_body(body).joint else {
+            return vector;
+        };
+        let name = &self.wording.joints[body];
+        match joint.motion {
+            Motion::Hinge(axis) => {
+                let axis = self.wording.direction(&axis);
+                let inner = format!("turn({vector}, {axis}, {name})");
+                self.turned(joint.parent, inner, is_length)
+            }
+            Motion::Slide(_) | Motion::Fixed => self.turned(joint.parent, vector, is_length),
+            Motion::Ball | Motion::Free => match is_length {
+                true => format!("(point_in({name}, {vector}) - {name}.origin)"),
+                false => format!("((point_in({name}, 1m * {vector}) - {name}.origin) / 1m)"),
+            },
+        }
+    }
+
+    /// A direction of a body from where it is drawn.
+    fn direction(&self, body: usize, direction: Vector) -> String {
+        self.turned(body, self.wording.direction(&direction), false)
+    }
+
+    /// A point of a body from where it is drawn.
+    fn carried(&mut self, body: usize, at: Vector, what: &str) -> String {
+        let Some(joint) = &self.of_body(body).joint else {
+            return self.wording.point(&at);
+        };
+        let offset = difference(at, joint.at);
+        let name = self.wording.pivots[body].clone();
+        if length(offset) < 1e-12 * self.wording.chain.size {
+            return name;
+        }
+        let same = |known: &&(usize, Vector, String)| known.0 == body && known.1 == offset;
+        let known = self.offsets.iter().find(same).map(|known| known.2.clone());
+        let offset_name = known.unwrap_or_else(|| {
+            let wanted = format!("{}_{what}", self.wording.bodies[body]);
+            let unique = self.wording.names.unique(&wanted, "of_");
+            let value = self.wording.point(&offset);
+            self.sections
+                .parameters
+                .push(format!("param {unique} = {value};"));
+            self.offsets.push((body, offset, unique.clone()));
+            unique
+        });
+        format!("{name} + {}", self.turned(body, offset_name, true))
+    }
+
+    fn body(&mut self, body: usize) {
+        let Some(joint) = self.of_body(body).joint.clone() else {
+            return;
+        };
+        let name = self.wording.joints[body].clone();
+        let pivot = self.wording.pivots[body].clone();
+        let is_led = joint.follows.is_some();
+        if let Some((leader, _)) = &joint.follows
+            && let Some(led_by) = &self.of_body(*leader).joint
+        {
+            let value = self.wording.joints[*leader].clone();
+            let text = self.wording.followed(&joint, led_by, &value);
+            self.sections.lets.push(format!("let {name} = {text};"));
+        }
+        let is_given = is_led || self.is_input(body);
+        let at = self.carried(joint.parent, joint.at, &name);
+        match joint.motion {
+            Motion::Hinge(_) => {
+                if !is_given {
+                    self.sections
+                        .unknowns
+                        .push(format!("unknown {name} = 0deg;"));
+                }
+                self.sections.lets.push(format!("let {pivot} = {at};"));
+                self.sections.quantities.push(name);
+            }
+            Motion::Slide(axis) => {
+                if !is_given {
+                    self.sections.unknowns.push(format!("unknown {name} = 0m;"));
+                }
+                let along = self.direction(joint.parent, axis);
+                self.sections
+                    .lets
+                    .push(format!("let {pivot} = {at} + {name} * {along};"));
+                self.sections.quantities.push(name);
+            }
+            Motion::Fixed => self.sections.lets.push(format!("let {pivot} = {at};")),
+            Motion::Ball if self.is_rod(body) => {
+                self.sections.lets.push(format!("let {pivot} = {at};"));
+            }
+            Motion::Ball | Motion::Free => {
+                let drawn = self.wording.point(&joint.at);
+                self.sections.unknowns.push(format!(
+                    "unknown {name} = frame({drawn}, (1, 0, 0), (0, 0, 1));"
+                ));
+                self.sections
+                    .lets
+                    .push(format!("let {pivot} = {name}.origin;"));
+                if joint.motion == Motion::Ball {
+                    self.sections.loops.push(format!("loop {pivot} = {at};"));
+                }
+            }
+        }
+        self.sections.quantities.push(pivot);
+    }
+
+    fn closure(&mut self, index: usize) {
+        let closure = &self.wording.chain.robot.closures[index];
+        let name = self.wording.names.unique(&closure.name, "loop_");
+        let rods = self.wording.chain.rods.iter();
+        let rod = rods.copied().find(|rod| rod.closure == index);
+        if let Some(rod) = rod {
+            let [first, second] = rod.ends;
+            let first = self.carried(first.0, first.1, &name);
+            let second = self.carried(second.0, second.1, &name);
+            let wanted = format!("{}_length", self.wording.bodies[rod.body]);
+            let long = self.wording.names.unique(&wanted, "rod_");
+            let value = self.wording.metres(rod.length);
+            self.sections
+                .parameters
+                .push(format!("param {long} = {value};"));
+            let end = self.wording.names.unique(&format!("{name}_end"), "loop_");
+            self.sections.lets.push(format!("let {end} = {second};"));
+            let texts = [(Vec::new(), [format!("distance({first}, {end})"), long])];
+            self.wording.equations(index, &texts, &mut self.sections);
+            self.wording.gap(index, &mut self.sections);
+            self.sections.quantities.push(end);
+            return;
+        }
+        let [a, b] = closure.bodies;
+        let [first, second] = [0, 1].map(|end| {
+            let text = self.carried(closure.bodies[end], closure.at[end], &name);
+            let wanted = format!("{name}_{}", ["a", "b"][end]);
+            let point = self.wording.names.unique(&wanted, "loop_");
+            self.sections.lets.push(format!("let {point} = {text};"));
+            point
+        });
+        let components = ["x", "y", "z"].map(ToOwned::to_owned).to_vec();
+        let together = (components, [first.clone(), second.clone()]);
+        let right_angle = |one: Vector, other: Vector| {
+            let text = format!(
+                "dot({}, {})",
+                self.direction(a, one),
+                self.direction(b, other)
+            );
+            (Vec::new(), [text, "0".to_owned()])
+        };
+        // About x, y and z.
+        let turns = [0, 1, 2].map(|k| right_angle(AXES[(k + 1) % 3], AXES[(k + 2) % 3]));
+        let texts = match closure.closing {
+            ClosingJoint::Point => vec![together],
+            ClosingJoint::Weld => [vec![together], turns.to_vec()].concat(),
+            ClosingJoint::Hinge(axis) => {
+                let across = normals(axis).map(|normal| right_angle(axis, normal));
+                [vec![together], across.to_vec()].concat()
+            }
+            ClosingJoint::Slide(axis) => {
+                let across = normals(axis).map(|normal| {
+                    let normal = self.direction(b, normal);
+                    let off = format!("dot({first} - {second}, {normal})");
+                    (Vec::new(), [off, "0m".to_owned()])
+                });
+                [across.to_vec(), turns.to_vec()].concat()
+            }
+        };
+        self.wording.equations(index, &texts, &mut self.sections);
+        self.wording.gap(index, &mut self.sections);
+        self.sections.quantities.push(first);
+    }
+
+    /// Masses as comments: tensors need the frame of each body.
+    fn masses(&mut self) {
+        for (index, body) in self.wording.chain.robot.bodies.iter().enumerate().skip(1) {
+            if let Some(mass) = body.mass() {
+                let i = mass.inertia;
+                let numbers = [i[0][0], i[1][1], i[2][2], i[0][1], i[0][2], i[1][2]];
+                let numbers: Vec<String> = numbers.iter().map(|value| digits(*value)).collect();
+                self.sections.bodies.push(format!(
+                    "// {}: {}kg, centre drawn at {}, xx yy zz xy xz yz in kg*m^2: {}",
+                    self.wording.bodies[index],
+                    digits(mass.mass),
+                    self.wording.point(&mass.centre),
+                    numbers.join(" ")
+                ));
+            }
+        }
+        if !self.sections.bodies.is_empty() {
+            self.sections.warnings.push(
+                "masses and inertias are comments: a body of space needs its frame".to_owned(),
+            );
+        }
+    }
+}

@@ -1,0 +1,255 @@
+//! Text of the language: numbers, vectors, names of a robot's bodies and joints, lists of lines.
+
+use std::fmt::Write;
+
+use super::analysis::{Analysis, reach};
+use super::chain::Chain;
+use super::model::{Joint, Motion};
+use crate::names::{Names, in_comment, shown};
+use crate::number::{plain, short};
+
+/// A limit of an angle without limits, in radians: a turn.
+const TURN: f64 = core::f64::consts::TAU;
+
+/// The part of a reach that is left out next to a dead point.
+const BESIDE: f64 = 0.97;
+
+/// The lines of a mechanism, section by section.
+#[derive(Default)]
+pub(super) struct Sections {
+    pub(super) parameters: Vec<String>,
+    pub(super) inputs: Vec<String>,
+    pub(super) unknowns: Vec<String>,
+    pub(super) lets: Vec<String>,
+    pub(super) loops: Vec<String>,
+    pub(super) bodies: Vec<String>,
+    /// Quantities of the function `motion`.
+    pub(super) quantities: Vec<String>,
+    /// The points of each link, for the picture.
+    pub(super) links: Vec<Vec<String>>,
+    pub(super) warnings: Vec<String>,
+}
+
+/// Names and numbers of a robot.
+pub(super) struct Wording<'c> {
+    pub(super) chain: &'c Chain<'c>,
+    pub(super) analysis: &'c Analysis,
+    /// Names of bodies, of joints as coordinates, and of points of joints.
+    pub(super) bodies: Vec<String>,
+    pub(super) joints: Vec<String>,
+    pub(super) pivots: Vec<String>,
+    pub(super) names: Names,
+    /// The last digit of lengths.
+    digit: f64,
+}
+
+impl<'c> Wording<'c> {
+    pub(super) fn new(chain: &'c Chain<'c>, analysis: &'c Analysis) -> Self {
+        let mut names = Names::new();
+        let robot = chain.robot;
+        let joints: Vec<String> = robot
+            .bodies
+            .iter()
+            .map(|body| match &body.joint {
+                Some(joint) => names.unique(&joint.name, "joint_"),
+                None => String::new(),
+            })
+            .collect();
+        let pivots = joints.iter().map(|joint| match joint.is_empty() {
+            true => String::new(),
+            false => names.unique(&format!("at_{joint}"), "at_"),
+        });
+        let pivots = pivots.collect();
+        let mut of_bodies = Names::new();
+        let bodies = robot.bodies.iter().enumerate();
+        let bodies = bodies.map(|(index, body)| match index {
+            0 => "frame".to_owned(),
+            _ => of_bodies.unique(&body.name, "body_"),
+        });
+        Self {
+            chain,
+            analysis,
+            bodies: bodies.collect(),
+            joints,
+            pivots,
+            names,
+            digit: match chain.size > 1e-9 {
+                true => 10f64.powf(chain.size.log10().floor() - 14.0),
+                // A robot of one joint.
+                false => 1e-15,
+            },
+        }
+    }
+
+    /// A length in metres, without what rounding leaves of zero.
+    pub(super) fn metres(&self, value: f64) -> String {
+        format!("{}m", self.rounded(value))
+    }
+
+    fn rounded(&self, value: f64) -> String {
+        let inverse = (1.0 / self.digit).round();
+        let found = match self.digit < 1.0 {
+            true => (value * inverse).round() / inverse,
+            false => value,
+        };
+        plain(found)
+    }
+
+    pub(super) fn point(&self, point: &[f64]) -> String {
+        let all: Vec<String> = point.iter().map(|value| self.metres(*value)).collect();
+        format!("({})", all.join(", "))
+    }
+
+    pub(super) fn direction(&self, direction: &[f64]) -> String {
+        let all: Vec<String> = direction
+            .iter()
+            .map(|value| plain((value * 1e15).round() / 1e15))
+            .collect();
+        format!("({})", all.join(", "))
+    }
+
+    /// The declaration of an input, with the range in which the loops close.
+    pub(super) fn input(&self, index: usize, sections: &mut Sections) {
+        let coordinate = &self.chain.coordinates[index];
+        let Some(joint) = &self.chain.robot.bodies[coordinate.body].joint else {
+            return;
+        };
+        let is_length = matches!(joint.motion, Motion::Slide(_));
+        let size = self.chain.size;
+        let declared = joint
+            .range
+            .filter(|[low, high]| *low <= 0.0 && 0.0 <= *high && low < high);
+        let free = if is_length { size } else { TURN };
+        let (limits, is_turn) = match declared {
+            Some([low, high]) => ([low.max(-free), high.min(free)], false),
+            None if is_length => ([-size, size], false),
+            None => ([-TURN / 2.0, TURN / 2.0], true),
+        };
+        let (found, is_cut) = reach(self.chain, self.analysis, index, limits);
+        let name = &self.joints[coordinate.body];
+        let written = |value: f64| match is_length {
+            true => format!("{}m", plain(rounded(value))),
+            false => format!("{}deg", plain(rounded(value.to_degrees()))),
+        };
+        let range = match (is_turn, is_cut) {
+            (true, false) => "0deg..360deg".to_owned(),
+            (_, false) => format!("{}..{}", written(found[0]), written(found[1])),
+            (_, true) => {
+                let ends = [0, 1].map(|end| match found[end] == limits[end] {
+                    true => found[end],
+                    false => BESIDE * found[end],
+                });
+                sections.warnings.push(format!(
+                    "`{name}` goes from {} to {}: beyond, the loops do not close, or a dead point is near",
+                    written(ends[0]),
+                    written(ends[1])
+                ));
+                format!("{}..{}", written(ends[0]), written(ends[1]))
+            }
+        };
+        let zero = written(0.0);
+        let shift = match joint.zero == 0.0 {
+            true => String::new(),
+            false => format!(", which is {} in the file", written(joint.zero)),
+        };
+        sections.inputs.push(format!(
+            "input {name} = {zero} in {range};    // joint {}, from where it is drawn{shift}",
+            in_comment(&shown(&joint.name))
+        ));
+    }
+
+    /// The value of a joint that follows another one, as a sum of powers of a text.
+    pub(super) fn followed(&self, joint: &Joint, leader: &Joint, led_by: &str) -> String {
+        let is_length = |joint: &Joint| matches!(joint.motion, Motion::Slide(_));
+        let unit = if is_length(joint) { "m" } else { "rad" };
+        let factor = match is_length(leader) {
+            true => format!(" * ({led_by} / 1m)"),
+            false => format!(" * ({led_by})"),
+        };
+        let Some((_, powers)) = &joint.follows else {
+            return format!("0{unit}");
+        };
+        let mut text = String::new();
+        for (power, coefficient) in powers.iter().enumerate() {
+            if *coefficient == 0.0 {
+                continue;
+            }
+            let sign = match (text.is_empty(), *coefficient < 0.0) {
+                (true, false) => "",
+                (true, true) => "-",
+                (false, false) => " + ",
+                (false, true) => " - ",
+            };
+            let value = plain(coefficient.abs());
+            let _ = write!(text, "{sign}{value}{unit}{}", factor.repeat(power));
+        }
+        match text.is_empty() {
+            true => format!("0{unit}"),
+            false => text,
+        }
+    }
+
+    /// The comment of a gap, if a closure has one.
+    pub(super) fn gap(&self, closure: usize, sections: &mut Sections) {
+        let gap = self.analysis.gaps[closure];
+        // The rounding of twelve digits is none.
+        if gap > 1e-12 {
+            sections.warnings.push(format!(
+                "the loop `{}` is open by {} of the size where it is drawn: the mechanism closes it",
+                shown(&self.chain.robot.closures[closure].name),
+                short(gap)
+            ));
+        }
+    }
+
+    /// Adds the equations of a closure: those that follow from others are comments.
+    pub(super) fn equations(
+        &self,
+        closure: usize,
+        texts: &[(Vec<String>, [String; 2])],
+        sections: &mut Sections,
+    ) {
+        let rows = self.chain.rows(&self.chain.drawn());
+        let rows = rows.iter().zip(&self.analysis.is_needed);
+        let of_closure = rows.filter(|(row, _)| row.closure == closure);
+        let mut needed = of_closure.map(|(_, is_needed)| *is_needed);
+        let mut dropped = 0;
+        for (components, [left, right]) in texts {
+            let count = components.len().max(1);
+            let flags: Vec<bool> = needed.by_ref().take(count).collect();
+            dropped += flags.iter().filter(|is_needed| !**is_needed).count();
+            if flags.iter().all(|is_needed| *is_needed) {
+                sections.loops.push(format!("loop {left} = {right};"));
+            } else if flags.iter().all(|is_needed| !*is_needed) {
+                let line = format!("// follows from the others: loop {left} = {right};");
+                sections.loops.push(line);
+            } else {
+                for (component, is_needed) in components.iter().zip(&flags) {
+                    let follows = if *is_needed {
+                        ""
+                    } else {
+                        "// follows from the others: "
+                    };
+                    let line = format!("{follows}loop {left}.{component} = {right}.{component};");
+                    sections.loops.push(line);
+                }
+            }
+        }
+        if dropped > 0 {
+            sections.warnings.push(format!(
+                "{dropped} of the equations of the loop `{}` follow from the others, and are left out",
+                shown(&self.chain.robot.closures[closure].name)
+            ));
+        }
+    }
+}
+
+/// A number with fifteen digits.
+pub(super) fn digits(value: f64) -> String {
+    plain(format!("{value:.14e}").parse().unwrap_or(value))
+}
+
+/// A number with six digits.
+fn rounded(value: f64) -> f64 {
+    format!("{value:.5e}").parse().unwrap_or(value)
+}

@@ -1,0 +1,313 @@
+//! Drawings of other programs in the terms of the language: a link has two joints or more, and
+//! links on two fixed points are parts of the frame.
+
+use crate::document::{Document, FRAME, Input, InputKind, SlotPath};
+use crate::names::shown;
+
+/// Brings a document into these terms, with a remark or a warning for each change.
+pub(crate) fn tidy(document: &mut Document) {
+    check_cylinders(document);
+    while let Some(link) = held_link(document) {
+        fold(document, link);
+    }
+    check_slots(document);
+    place_lines(document);
+    mark_wheels(document);
+    drop_short_links(document);
+    drop_unused_joints(document);
+}
+
+fn is_cylinder(document: &Document, link: usize) -> bool {
+    let mut inputs = document.inputs.iter();
+    inputs.any(|input| input.kind == InputKind::Length { link })
+}
+
+/// Leaves out cylinders between two fixed points, and those without a length.
+fn check_cylinders(document: &mut Document) {
+    let mut kept = Vec::new();
+    for input in std::mem::take(&mut document.inputs) {
+        let InputKind::Length { link } = input.kind else {
+            kept.push(input);
+            continue;
+        };
+        let ends = document.links[link].joints.clone();
+        let is_held = ends.iter().all(|joint| document.is_fixed(*joint));
+        let is_short = ends.len() != 2 || document.distance(ends[0], ends[1]) == 0.0;
+        if is_held || is_short {
+            let name = shown(&document.links[link].name);
+            document
+                .warnings
+                .push(format!("the cylinder `{name}` cannot move and is left out"));
+            document.links[link].joints.clear();
+        } else {
+            kept.push(input);
+        }
+    }
+    document.inputs = kept;
+}
+
+/// Returns a link with two fixed points at different positions.
+fn held_link(document: &Document) -> Option<usize> {
+    (1..document.links.len()).find(|link| {
+        let joints = document.links[*link].joints.iter();
+        let fixed: Vec<usize> = joints
+            .copied()
+            .filter(|joint| document.is_fixed(*joint))
+            .collect();
+        let is_apart = |joint: &usize| document.distance(fixed[0], *joint) > 0.0;
+        fixed.len() > 1 && fixed.iter().any(is_apart) && !is_cylinder(document, *link)
+    })
+}
+
+/// Makes a link a part of the frame.
+fn fold(document: &mut Document, link: usize) {
+    let name = shown(&document.links[link].name);
+    document.remarks.push(format!(
+        "`{name}` is held at two fixed points: a part of the frame."
+    ));
+    if document.links[link].mass.take().is_some() {
+        document
+            .remarks
+            .push(format!("The mass of `{name}` does not move."));
+    }
+    for joint in std::mem::take(&mut document.links[link].joints) {
+        document.attach(joint, FRAME);
+    }
+    let replaced = |index: &mut usize| {
+        if *index == link {
+            *index = FRAME;
+        }
+    };
+    for slot in &mut document.slots {
+        replaced(&mut slot.guide);
+        slot.block.iter_mut().for_each(replaced);
+    }
+    for pair in &mut document.gears {
+        pair.wheels
+            .iter_mut()
+            .chain([&mut pair.arm])
+            .for_each(replaced);
+    }
+    let mut kept: Vec<Input> = Vec::new();
+    for mut input in std::mem::take(&mut document.inputs) {
+        if let InputKind::Crank { link, base, .. } = &mut input.kind {
+            replaced(link);
+            replaced(base);
+            if link == base {
+                document
+                    .warnings
+                    .push(format!("a motor turns `{name}`, which is held: left out"));
+                continue;
+            }
+        }
+        kept.push(input);
+    }
+    document.inputs = kept;
+}
+
+/// Leaves out slots whose pin is a joint of the guide, or lies on nothing.
+fn check_slots(document: &mut Document) {
+    let mut removed = Vec::new();
+    for (index, slot) in document.slots.iter().enumerate() {
+        let guide = &document.links[slot.guide];
+        let is_short = match slot.path {
+            SlotPath::Joints(first, second) => document.distance(first, second) == 0.0,
+            SlotPath::Direction(..) => false,
+            SlotPath::Arc { centre, .. } => document.distance(slot.pin, centre) == 0.0,
+        };
+        let is_lost = slot.guide != FRAME && guide.joints.is_empty();
+        if guide.joints.contains(&slot.pin) || is_short || is_lost {
+            let pin = shown(&document.joints[slot.pin].name);
+            let guide = shown(&guide.name);
+            document.warnings.push(format!(
+                "the pin `{pin}` cannot slide on `{guide}`: the slot is left out"
+            ));
+            removed.push(index);
+        }
+    }
+    let inputs = std::mem::take(&mut document.inputs);
+    for mut input in inputs {
+        if let InputKind::Position { slot } = &mut input.kind {
+            if removed.contains(slot) {
+                continue;
+            }
+            *slot -= removed.iter().filter(|index| **index < *slot).count();
+        }
+        document.inputs.push(input);
+    }
+    let mut index = 0;
+    document.slots.retain(|_| {
+        index += 1;
+        !removed.contains(&(index - 1))
+    });
+    for slot in &mut document.slots {
+        let guide = slot.guide;
+        slot.block = slot
+            .block
+            .filter(|block| *block != guide && *block != FRAME);
+    }
+}
+
+/// Gives moving guides a joint on the lines of their slots.
+fn place_lines(document: &mut Document) {
+    for index in 0..document.slots.len() {
+        let (pin, guide) = (document.slots[index].pin, document.slots[index].guide);
+        let SlotPath::Direction(_, _, through) = document.slots[index].path else {
+            continue;
+        };
+        if guide == FRAME || through.is_some() {
+            continue;
+        }
+        let name = format!("line_of_{}", document.joints[pin].name);
+        let position = document.joints[pin].position;
+        let joint = document.add_derived(name, position);
+        document.attach(joint, guide);
+        if let SlotPath::Direction(_, _, through) = &mut document.slots[index].path {
+            *through = Some(joint);
+        }
+    }
+}
+
+/// Adds a point to wheels, cranks and guides that have only a pivot, so that they have a direction.
+fn mark_wheels(document: &mut Document) {
+    /// The part of the largest distance that the point is away.
+    const PART: f64 = 0.1;
+    let size = document.largest_distance().map_or(1.0, |largest| largest.2);
+    let wheels = document.gears.iter().flat_map(|pair| pair.wheels);
+    let cranks = document.inputs.iter().filter_map(|input| match input.kind {
+        InputKind::Crank { link, .. } => Some(link),
+        _ => None,
+    });
+    let bodies = document.slots.iter();
+    let bodies = bodies
+        .flat_map(|slot| [Some(slot.guide), slot.block])
+        .flatten();
+    let mut needing: Vec<usize> = wheels.chain(cranks).chain(bodies).collect();
+    needing.sort_unstable();
+    needing.dedup();
+    for link in needing {
+        let [pivot] = document.links[link].joints[..] else {
+            continue;
+        };
+        if link == FRAME {
+            continue;
+        }
+        let [x, y] = document.joints[pivot].position;
+        let distance = if size > 0.0 { PART * size } else { 1.0 };
+        let name = format!("mark_{}", document.links[link].name);
+        let mark =
+            document.add_derived(name, [x + crate::number::rounded(distance, size * 1e-3), y]);
+        document.attach(mark, link);
+    }
+}
+
+/// Leaves out links with less than two joints.
+fn drop_short_links(document: &mut Document) {
+    let count = document.links.len();
+    let mut indices: Vec<Option<usize>> = vec![None; count];
+    let mut kept = Vec::new();
+    for (index, link) in std::mem::take(&mut document.links).into_iter().enumerate() {
+        if index == FRAME || link.joints.len() > 1 {
+            indices[index] = Some(kept.len());
+            kept.push(link);
+        } else if let [joint] = link.joints[..] {
+            let joint = shown(&document.joints[joint].name);
+            let name = shown(&link.name);
+            document.remarks.push(format!(
+                "`{name}` has only the joint `{joint}` and does not matter for the motion."
+            ));
+        }
+    }
+    document.links = kept;
+    let new = |index: usize| indices[index];
+    document.gears.retain_mut(|pair| {
+        let links = [pair.wheels[0], pair.wheels[1], pair.arm].map(new);
+        if let [Some(first), Some(second), Some(arm)] = links {
+            pair.wheels = [first, second];
+            pair.arm = arm;
+            return true;
+        }
+        false
+    });
+    for slot in &mut document.slots {
+        slot.guide = new(slot.guide).unwrap_or(FRAME);
+        slot.block = slot.block.and_then(new);
+    }
+    document.inputs.retain_mut(|input| match &mut input.kind {
+        InputKind::Crank { link, base, .. } => {
+            let links = [*link, *base].map(new);
+            if let [Some(new_link), Some(new_base)] = links {
+                *link = new_link;
+                *base = new_base;
+            }
+            links.iter().all(Option::is_some)
+        }
+        InputKind::Length { link } => {
+            let index = new(*link);
+            *link = index.unwrap_or(FRAME);
+            index.is_some()
+        }
+        InputKind::Position { .. } => true,
+    });
+}
+
+/// Leaves out joints that no link and no slot has.
+fn drop_unused_joints(document: &mut Document) {
+    let mut is_used = vec![false; document.joints.len()];
+    for link in &document.links {
+        link.joints.iter().for_each(|joint| is_used[*joint] = true);
+    }
+    for slot in &document.slots {
+        is_used[slot.pin] = true;
+        match slot.path {
+            SlotPath::Joints(first, second) => {
+                is_used[first] = true;
+                is_used[second] = true;
+            }
+            SlotPath::Arc { centre, .. } => is_used[centre] = true,
+            SlotPath::Direction(_, _, Some(through)) => is_used[through] = true,
+            SlotPath::Direction(_, _, None) => {}
+        }
+    }
+    let mut indices = vec![0; document.joints.len()];
+    let mut kept = Vec::new();
+    let mut unused = Vec::new();
+    for (index, joint) in std::mem::take(&mut document.joints).into_iter().enumerate() {
+        if is_used[index] {
+            indices[index] = kept.len();
+            kept.push(joint);
+        } else if !joint.is_derived {
+            unused.push(shown(&joint.name));
+        }
+    }
+    document.joints = kept;
+    if !unused.is_empty() {
+        let unused = unused.join(", ");
+        document
+            .remarks
+            .push(format!("No link has the joints {unused}: left out."));
+    }
+    let new = |joint: &mut usize| *joint = indices[*joint];
+    for link in &mut document.links {
+        link.joints.iter_mut().for_each(new);
+        if let Some(mass) = &mut link.mass {
+            new(&mut mass.centre);
+        }
+    }
+    for slot in &mut document.slots {
+        new(&mut slot.pin);
+        match &mut slot.path {
+            SlotPath::Joints(first, second) => {
+                new(first);
+                new(second);
+            }
+            SlotPath::Arc { centre, .. } => new(centre),
+            SlotPath::Direction(_, _, through) => through.iter_mut().for_each(new),
+        }
+    }
+    for input in &mut document.inputs {
+        if let InputKind::Crank { pivot, .. } = &mut input.kind {
+            new(pivot);
+        }
+    }
+}

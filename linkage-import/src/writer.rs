@@ -1,0 +1,133 @@
+//! A document as text of the language: comments, one struct with joints and links, and functions.
+
+use std::fmt::Write;
+
+use crate::document::Document;
+use crate::names::{in_comment, shown};
+use crate::number::{plain, short};
+
+mod driven;
+mod parts;
+mod sizes;
+mod spelling;
+mod wrapped;
+
+use driven::Drive;
+use spelling::Spelling;
+use wrapped::{COLUMNS, comment};
+
+/// Returns the text, and adds warnings about ranges to those of the document.
+pub(crate) fn text(document: &mut Document, name: &str, file: &str) -> String {
+    let spelling = Spelling::new(document);
+    let drives = driven::drives(document, &spelling);
+    confirm(document);
+    let mut text = heading(document, file);
+    let unit = document.unit.name();
+    let _ = writeln!(text, "pub struct {name} {{\n    unit {unit};");
+    for drive in &drives {
+        let _ = writeln!(text, "    {}", drive.line);
+    }
+    driven::together(document, &drives, &mut text);
+    text += "\n    // The joints where they are drawn.\n";
+    parts::joints(document, &spelling, &mut text);
+    text += "\n";
+    sizes::about(document, &mut text);
+    parts::links(document, &spelling, &drives, &mut text);
+    parts::slots(document, &spelling, &drives, &mut text);
+    parts::gears(document, &spelling, &mut text);
+    text += "}\n";
+    functions(document, &spelling, &drives, name, &mut text);
+    text
+}
+
+/// The largest distance shows a wrong unit at once.
+fn confirm(document: &mut Document) {
+    if let Some((first, second, distance)) = document.largest_distance() {
+        let [first, second] = [first, second].map(|joint| shown(&document.joints[joint].name));
+        let unit = document.unit.name();
+        document.warnings.push(format!(
+            "the largest distance, of `{first}` and `{second}`, is {}{unit}: confirm it",
+            short_length(distance)
+        ));
+    }
+}
+
+/// A length with four digits or more.
+fn short_length(length: f64) -> String {
+    if length >= 1000.0 {
+        format!("{length:.0}")
+    } else {
+        let decimals = (3.0 - length.max(1e-9).log10().floor()).clamp(0.0, 12.0) as usize;
+        plain(format!("{length:.decimals$}").parse().unwrap_or(length))
+    }
+}
+
+fn heading(document: &Document, file: &str) -> String {
+    let mut text = String::new();
+    let file = in_comment(&file.chars().take(60).collect::<String>());
+    comment(
+        &mut text,
+        "// ",
+        &format!("From {file}, {}.", document.origin),
+    );
+    if !document.name.is_empty() {
+        let name = in_comment(&document.name);
+        comment(
+            &mut text,
+            "// ",
+            &format!("Its name in the file is {name}."),
+        );
+    }
+    for remark in &document.remarks {
+        comment(&mut text, "// ", &in_comment(remark));
+    }
+    if document.band > 0.0 {
+        let band = short(document.band);
+        let unit = document.unit.name();
+        let note = format!("Each coordinate may be wrong by {band}{unit}: no length is exact.");
+        comment(&mut text, "// ", &note);
+    }
+    if !document.warnings.is_empty() {
+        text += "//\n// Not taken, or to be confirmed:\n";
+    }
+    for warning in &document.warnings {
+        comment(&mut text, "// - ", &in_comment(warning));
+    }
+    text
+}
+
+/// Functions for all joints that move, and for the drawing.
+fn functions(
+    document: &Document,
+    spelling: &Spelling,
+    drives: &[Drive],
+    name: &str,
+    text: &mut String,
+) {
+    let joints = 0..document.joints.len();
+    let moving = joints.filter(|joint| !document.is_fixed(*joint));
+    let moving: Vec<&str> = moving.map(|joint| &spelling.joints[joint][..]).collect();
+    let inputs: Vec<&str> = drives.iter().map(|drive| &drive.name[..]).collect();
+    let inputs = inputs.join(", ");
+    let _ = writeln!(text, "\nimpl {name} {{");
+    if !moving.is_empty() {
+        let mut list = String::new();
+        let mut width = 0;
+        for joint in moving {
+            if width + joint.len() > COLUMNS - 14 {
+                list += "\n       ";
+                width = 0;
+            }
+            let _ = write!(list, " {joint},");
+            width += joint.len() + 2;
+        }
+        let _ = writeln!(
+            text,
+            "    pub fn points({inputs}) -> Points {{\n       {list}\n    }}"
+        );
+    }
+    let _ = writeln!(
+        text,
+        "    pub fn shape({inputs}) -> Shape {{ shape: picture() }}\n}}"
+    );
+}

@@ -1,0 +1,119 @@
+//! Items of the struct: joints, links, sliders and gears.
+
+use std::fmt::Write;
+
+use crate::document::{Document, FRAME, InputKind, SlotPath};
+use crate::number::plain;
+
+use super::driven::Drive;
+use super::sizes;
+use super::spelling::Spelling;
+
+/// Adds a line for each joint.
+pub(super) fn joints(document: &Document, spelling: &Spelling, text: &mut String) {
+    let unit = document.unit.name();
+    for (joint, name) in document.joints.iter().zip(&spelling.joints) {
+        let [x, y] = joint.position.map(plain);
+        let note = match sizes::whole_position(document, joint.position) {
+            _ if joint.is_derived => " // not in the file".to_owned(),
+            Some([x, y]) => format!(" // ({}{unit}, {}{unit}) is within", plain(x), plain(y)),
+            None => String::new(),
+        };
+        let _ = writeln!(text, "    joint {name} = ({x}{unit}, {y}{unit});{note}");
+    }
+}
+
+/// Adds a line for each link, with its lengths behind it.
+pub(super) fn links(document: &Document, spelling: &Spelling, drives: &[Drive], text: &mut String) {
+    for (index, link) in document.links.iter().enumerate() {
+        let mut joints = link.joints.clone();
+        if joints.is_empty() {
+            continue;
+        }
+        let mut clauses = String::new();
+        for drive in drives {
+            match drive.kind {
+                InputKind::Crank { link, pivot, .. } if link == index => {
+                    first(&mut joints, drive.target.unwrap_or(pivot));
+                    first(&mut joints, pivot);
+                    let _ = write!(clauses, " at {}", drive.clause);
+                }
+                InputKind::Length { link } if link == index => {
+                    let _ = write!(clauses, " length {}", drive.clause);
+                }
+                _ => {}
+            }
+        }
+        if let Some(mass) = &link.mass {
+            let centre = &spelling.joints[mass.centre];
+            let _ = write!(clauses, " mass {} at {centre}", mass.mass);
+            if let Some(inertia) = &mass.inertia {
+                let _ = write!(clauses, ", inertia {inertia}");
+            }
+        }
+        let names: Vec<&str> = joints
+            .iter()
+            .map(|joint| &spelling.joints[*joint][..])
+            .collect();
+        let name = &spelling.links[index];
+        let _ = writeln!(text, "    link {name}: {}{clauses};", names.join(", "));
+        if index != FRAME {
+            sizes::of_link(document, spelling, &joints, text);
+        }
+    }
+}
+
+/// Moves a joint to the front.
+fn first(joints: &mut Vec<usize>, joint: usize) {
+    joints.retain(|other| *other != joint);
+    joints.insert(0, joint);
+}
+
+/// Adds a line for each slot.
+pub(super) fn slots(document: &Document, spelling: &Spelling, drives: &[Drive], text: &mut String) {
+    for (index, slot) in document.slots.iter().enumerate() {
+        let name = &spelling.slots[index];
+        let pin = &spelling.joints[slot.pin];
+        let guide = &spelling.links[slot.guide];
+        let path = match &slot.path {
+            SlotPath::Joints(first, second) => {
+                let [first, second] = [first, second].map(|joint| &spelling.joints[*joint]);
+                format!("along {first}, {second}")
+            }
+            SlotPath::Direction(_, direction, None) => format!("along {direction}"),
+            SlotPath::Direction(_, direction, Some(joint)) => {
+                format!("along {direction} through {}", spelling.joints[*joint])
+            }
+            SlotPath::Arc { centre, .. } => format!("around {}", spelling.joints[*centre]),
+        };
+        let block = slot.block.map_or_else(String::new, |block| {
+            format!(", block {}", spelling.links[block])
+        });
+        let mut drives = drives.iter();
+        let drive = drives.find(|drive| drive.kind == InputKind::Position { slot: index });
+        let drive = drive.map_or_else(String::new, |drive| format!(" at {}", drive.clause));
+        let _ = writeln!(
+            text,
+            "    slider {name}: {pin} on {guide} {path}{block}{drive};"
+        );
+        sizes::of_slot(document, slot, text);
+    }
+}
+
+/// Adds a line for each pair of wheels.
+pub(super) fn gears(document: &Document, spelling: &Spelling, text: &mut String) {
+    for pair in &document.gears {
+        let word = if pair.is_chain { "belt" } else { "gears" };
+        let [first, second] = pair.wheels.map(|wheel| &spelling.links[wheel]);
+        let arm = &spelling.links[pair.arm];
+        let is_whole = pair.sizes.iter().all(|size| size.fract() == 0.0);
+        let unit = document.unit.name();
+        let sizes = pair.sizes.map(plain);
+        let sizes = if is_whole {
+            format!("teeth {}, {}", sizes[0], sizes[1])
+        } else {
+            format!("radii {}{unit}, {}{unit}", sizes[0], sizes[1])
+        };
+        let _ = writeln!(text, "    {word} {first}, {second} on {arm} {sizes};");
+    }
+}

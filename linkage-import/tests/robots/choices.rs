@@ -1,0 +1,176 @@
+//! What a file does not say is asked for, and what is not taken is named.
+
+use linkage_import::{Format, Options};
+
+use crate::{file, hard_points, imported, refused};
+
+fn text_of(name: &str) -> String {
+    String::from_utf8(file(name)).expect("text")
+}
+
+#[test]
+fn axes_unit_and_side_are_asked_for() {
+    let table = text_of("double_wishbone.csv");
+    let plain = Options {
+        format: Some(Format::HardPoints),
+        ..Options::default()
+    };
+    let said = refused(&table, "a.csv", &plain);
+    assert!(
+        said.starts_with("a table of points does not say its axes, its unit and its side"),
+        "{said}"
+    );
+    for choice in [
+        "--axes forward,left,up",
+        "SAE J670",
+        "`inch`",
+        "--side left",
+    ] {
+        assert!(said.contains(choice), "{said}");
+    }
+    let said = refused(&table, "a.csv", &hard_points("forward,left,up", "right"));
+    assert!(
+        said.starts_with("with these axes the wheel centre is left of the middle"),
+        "{said}"
+    );
+    let said = refused(&table, "a.csv", &hard_points("forward,left,left", "left"));
+    assert!(
+        said.starts_with("`forward,left,left` are no three axes"),
+        "{said}"
+    );
+    // The same points with the axes of SAE are on the right.
+    let text = imported(
+        "double_wishbone.csv",
+        &hard_points("forward,right,up", "right"),
+    )
+    .text;
+    assert!(
+        text.contains("param lower_front = (180mm, -250mm, 125mm);"),
+        "{text}"
+    );
+}
+
+#[test]
+fn roles_are_asked_for() {
+    let table = text_of("five_rods.csv");
+    let said = refused(&table, "a.csv", &hard_points("forward,left,up", "left"));
+    assert!(said.contains("points without a role: p1, q1"), "{said}");
+    assert!(
+        said.contains("\n  rod1_inner: first rod on the chassis\n"),
+        "{said}"
+    );
+    let mut options = hard_points("forward,left,up", "left");
+    options.roles.push("rod6_inner=P1".to_owned());
+    let said = refused(&table, "a.csv", &options);
+    assert!(
+        said.starts_with("there is no role `rod6_inner`; there are\n"),
+        "{said}"
+    );
+}
+
+#[test]
+fn steering_is_a_shift_and_no_sense() {
+    let text = imported(
+        "double_wishbone.csv",
+        &hard_points("forward,left,up", "left"),
+    )
+    .text;
+    assert!(text.contains("param rack = 0mm;"));
+    assert!(text.contains("loop distance(tie_outer, tie_inner + (0mm, rack, 0mm)) = tie_rod;"));
+}
+
+#[test]
+fn what_is_not_taken_is_named() {
+    let warnings = imported("four_bar.xml", &Options::default()).warnings;
+    let all = warnings.join("\n");
+    for name in ["2 geom", "light", "sensor", "timestep of option"] {
+        assert!(all.contains(name), "{name}: {all}");
+    }
+    assert!(
+        all.contains("the loop `closing` holds in space; in the plane its other equations"),
+        "{all}"
+    );
+    let text = imported("four_bar.xml", &Options::default()).text;
+    for warning in &warnings {
+        assert!(text.contains(&format!("// {warning}")), "{warning}");
+    }
+}
+
+#[test]
+fn loops_of_urdf_are_explained() {
+    let text = text_of("four_bar.urdf").replace(
+        "<loop_joint name=\"closing\" type=\"spherical\">",
+        "<joint name=\"closing\" type=\"fixed\"><parent link=\"rocker\"/><child link=\"coupler\"/></joint><loop_joint name=\"c\" type=\"spherical\">",
+    );
+    let said = refused(&text, "a.urdf", &Options::default());
+    assert!(
+        said.starts_with("the link `coupler` is the child of two joints"),
+        "{said}"
+    );
+    assert!(said.contains("<loop_joint name="), "{said}");
+}
+
+#[test]
+fn inputs_can_be_chosen() {
+    let chosen = |name: &str| Options {
+        inputs: vec![name.to_owned()],
+        ..Options::default()
+    };
+    let text = imported("four_bar.xml", &chosen("pivot")).text;
+    assert!(text.contains("\n    input pivot = 0deg in "), "{text}");
+    assert!(text.contains("\n    unknown turn_crank = 0deg;"), "{text}");
+    let said = refused(&text_of("four_bar.xml"), "a.xml", &chosen("wrist"));
+    assert!(
+        said.starts_with("there is no hinge or slide `wrist` to be an input; there is `hip`"),
+        "{said}"
+    );
+    let mut both = chosen("pivot");
+    both.inputs.push("hip".to_owned());
+    let said = refused(&text_of("four_bar.xml"), "a.xml", &both);
+    assert!(said.contains("the mechanism has one freedom"), "{said}");
+}
+
+#[test]
+fn equations_that_follow_are_left_out() {
+    // A parallelogram with a third crank in the middle: one of its equations follows.
+    let bar = |name: &str, x: f64| {
+        format!(
+            "<body name=\"{name}\" pos=\"{x} 0 0\"><joint name=\"{name}\"/><site name=\"{name}\" pos=\"0.05 0.1 0\"/></body>"
+        )
+    };
+    let coupler = "<body name=\"c\" pos=\"0.05 0.1 0\"><joint name=\"j\"/><site name=\"m\" pos=\"0.1 0 0\"/><site name=\"e\" pos=\"0.2 0 0\"/></body>";
+    let text = format!(
+        "<mujoco><worldbody><body name=\"a\"><joint name=\"a\"/>{coupler}</body>{}{}</worldbody><equality><connect site1=\"e\" site2=\"d\"/><connect name=\"third\" site1=\"m\" site2=\"b\"/></equality></mujoco>",
+        bar("b", 0.1),
+        bar("d", 0.2)
+    );
+    let found = linkage_import::import(text.as_bytes(), "a.xml", &Options::default());
+    let found = found.expect("a mechanism");
+    let warnings = found.warnings.join("\n");
+    assert!(
+        warnings.contains("1 of the equations of the loop `third` follow from the others"),
+        "{warnings}"
+    );
+    assert!(
+        linkage_engine::Mechanism::compile(&found.text).is_ok(),
+        "{}",
+        found.text
+    );
+}
+
+#[test]
+fn limits_are_held() {
+    let deep = "<a>".repeat(100);
+    let said = refused(&format!("<mujoco>{deep}"), "a.xml", &Options::default());
+    assert!(said.contains("nested too deeply"), "{said}");
+    let bomb = "<?xml version=\"1.0\"?><!DOCTYPE r [<!ENTITY a \"b\">]><robot name=\"&a;\"/>";
+    let said = refused(bomb, "a.urdf", &Options::default());
+    assert!(said.contains("a document type"), "{said}");
+    let mut options = hard_points("forward,left,up", "left");
+    options.format = Some(Format::HardPoints);
+    let said = refused("a: &x [1, 2, 3]\nb: *x\n", "a.yaml", &options);
+    assert!(said.contains("which is not read"), "{said}");
+    let text = text_of("press.xml").replace("0.04 0.03 0.01", "1e300 0 0");
+    let said = refused(&text, "a.xml", &Options::default());
+    assert!(said.contains("too large"), "{said}");
+}

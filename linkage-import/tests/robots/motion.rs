@@ -1,0 +1,436 @@
+//! Imported texts, compiled and moved: their points at 361 positions against the solver. The places
+//! of joints are those of MuJoCo, Pinocchio and a calculation by matrices.
+
+use linkage_engine::Mechanism;
+use linkage_import::Options;
+
+use crate::solver::{Condition, Point, Points, cross, dot, minus};
+use crate::{hard_points, imported};
+
+const POSITIONS: usize = 361;
+/// Of the size of the mechanism.
+const TOLERANCE: f64 = 1e-9;
+
+/// The components of the file that the coordinates of the text are; three for a text of space.
+type Axes<'a> = &'a [Point];
+
+/// Compares all points of a text that the facts name, over the range of the text.
+fn compare(file: &str, options: &Options, facts: &Points, axes: Axes) {
+    let text = imported(file, options).text;
+    let mechanism = Mechanism::compile(&text).unwrap_or_else(|error| panic!("{error}\n{text}"));
+    assert!(mechanism.warnings().is_empty(), "{}", mechanism.warnings());
+    let assembly = mechanism.assemble(&mechanism.dimensions());
+    let assembly = assembly.unwrap_or_else(|error| panic!("{error}\n{text}"));
+    let input = &mechanism.inputs()[0];
+    let (low, high) = input.range.expect("a range");
+    let size = facts
+        .drawn
+        .iter()
+        .flatten()
+        .fold(0.0, |most: f64, x| most.max(x.abs()));
+    // From the drawn position to both sides.
+    for end in [low, high] {
+        let mut at = facts.drawn.clone();
+        for number in 0..=POSITIONS / 2 {
+            let x = end * number as f64 / (POSITIONS / 2) as f64;
+            let error = facts.solve(&mut at, x);
+            assert!(error < 1e-12, "{file}: the solver leaves {error} at {x}");
+            let results = assembly.results("motion", &[x]);
+            for (name, wanted) in facts
+                .names
+                .iter()
+                .zip(&at)
+                .filter(|(name, _)| !name.is_empty())
+            {
+                let found = results.field(name);
+                let wanted: Vec<f64> = axes.iter().map(|axis| dot(*axis, *wanted)).collect();
+                assert_eq!(found.len(), wanted.len(), "{file}: {name}");
+                for (found, wanted) in found.iter().zip(&wanted) {
+                    assert!(
+                        (found - wanted).abs() < TOLERANCE * size,
+                        "{file}: {name} at {x}: {found} for {wanted}\n{text}"
+                    );
+                }
+            }
+        }
+    }
+}
+
+/// A four-bar: its pivots and its joints, with names of the text.
+fn four_bar(names: [&str; 4], [a, b, c, d]: [Point; 4], axis: Point) -> Points {
+    let mut facts = Points::default();
+    let pivot = facts.add(names[0], a, true);
+    let knee = facts.add(names[1], b, false);
+    let ankle = facts.add(names[2], c, false);
+    let other = facts.add(names[3], d, true);
+    facts.conditions.push(Condition::Turned {
+        point: knee,
+        pivot: a,
+        axis,
+        factor: 1.0,
+    });
+    // In the plane across the axis: far points on the normal of both pivots keep the others there.
+    let far = |from: Point| [0, 1, 2].map(|k| from[k] + 10.0 * axis[k]);
+    let on_axis = facts.add("", far(d), true);
+    facts.rigid(&[knee, ankle]);
+    facts.rigid(&[ankle, other]);
+    facts.conditions.push(Condition::Distance(ankle, on_axis));
+    let _ = pivot;
+    facts
+}
+
+const SPACE: [Point; 3] = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
+
+#[test]
+fn mjcf_with_sites() {
+    // Joints are beside each other; the plane has no third coordinate.
+    let flat = |p: Point| [p[0], 0.0, p[2]];
+    let facts = four_bar(
+        ["at_hip", "at_knee", "closing_a", "at_pivot"],
+        [
+            flat([0.1, 0.3, 0.5]),
+            flat([0.19829824531467904, 0.32, 0.5688291723621255]),
+            flat([0.5035886487484635, 0.27, 0.6226601074388739]),
+            flat([0.46, 0.27, 0.47]),
+        ],
+        [0.0, 1.0, 0.0],
+    );
+    compare(
+        "four_bar.xml",
+        &Options::default(),
+        &facts,
+        &[SPACE[2], SPACE[0]],
+    );
+}
+
+#[test]
+fn urdf_with_a_loop_joint() {
+    let root = std::f64::consts::FRAC_1_SQRT_2;
+    let axis = [root, root, 0.0];
+    // The normal is upwards; axes across it as the text names them.
+    let text = imported("four_bar.urdf", &Options::default()).text;
+    let axes = axes_of(&text);
+    assert!(dot(cross(axes[0], axes[1]), axis) > 1.0 - 1e-12);
+    // The closing is 10 mm beside the pivots.
+    let flat = |p: Point| {
+        let off = dot(minus(p, [0.2, 0.0, 0.1]), axis);
+        [0, 1, 2].map(|k| p[k] - off * axis[k])
+    };
+    let facts = four_bar(
+        ["at_motor_2", "at_elbow", "closing_a", "at_swing"],
+        [
+            [0.2, 0.0, 0.1],
+            flat([0.1929289321881345, 0.02121320343559645, 0.0]),
+            flat([
+                0.23472180060971112,
+                -0.020579664985980173,
+                -0.1910672978251213,
+            ]),
+            flat([0.1646446609406726, 0.0353553390593274, -0.15]),
+        ],
+        axis,
+    );
+    let mut facts = facts;
+    rename(&mut facts, &text);
+    // Distances across are left out, those along the axis too.
+    let origin = [0.2, 0.0, 0.1];
+    let off: Vec<f64> = axes.iter().map(|axis| dot(*axis, origin)).collect();
+    assert!(off.iter().all(|number| number.is_finite()));
+    compare("four_bar.urdf", &Options::default(), &facts, &axes);
+}
+
+/// The joint of a name in the text: `motor` is a word of the language in some versions.
+fn rename(facts: &mut Points, text: &str) {
+    for name in &mut facts.names {
+        let plain = name.trim_end_matches("_2").to_owned();
+        let is_plain = text.contains(&format!("let {plain} ="));
+        if is_plain {
+            *name = plain;
+        }
+    }
+}
+
+/// The axes of the plane, from the comment of the text.
+fn axes_of(text: &str) -> Vec<Point> {
+    let line = text
+        .lines()
+        .find(|line| line.contains("All hinges are parallel"));
+    let line = line.expect("a comment of the plane");
+    let lists = line.split('[').skip(1);
+    lists
+        .map(|list| {
+            let numbers = list.split(']').next().unwrap_or_default();
+            let numbers: Vec<f64> = numbers
+                .split(',')
+                .map(|number| number.trim().parse().expect("a number"))
+                .collect();
+            [numbers[0], numbers[1], numbers[2]]
+        })
+        .collect()
+}
+
+#[test]
+fn sdf_with_a_loop() {
+    let text = imported("four_bar.sdf", &Options::default()).text;
+    let flat = |p: Point| [p[0], p[1], 0.0];
+    let mut facts = four_bar(
+        ["at_motor_2", "at_elbow", "last_a", "at_bearing"],
+        [
+            [0.1, 0.2, 0.0],
+            [0.1683770965097731, 0.28616596005902317, 0.0],
+            flat([0.4382025990867247, 0.4366577056626858, 0.1]),
+            flat([0.4, 0.22, 0.1]),
+        ],
+        [0.0, 0.0, 1.0],
+    );
+    rename(&mut facts, &text);
+    compare(
+        "four_bar.sdf",
+        &Options::default(),
+        &facts,
+        &[SPACE[0], SPACE[1]],
+    );
+}
+
+#[test]
+fn mjcf_with_slides_and_a_polynomial() {
+    let mut facts = Points::default();
+    let pivot = facts.add("at_shaft", [0.0; 3], true);
+    let pin = facts.add("at_pin", [0.04, 0.03, 0.0], false);
+    let ram = facts.add("at_guide", [0.2, -0.01, 0.0], false);
+    let _ = pivot;
+    // The axis of the shaft points down.
+    facts.conditions.push(Condition::Turned {
+        point: pin,
+        pivot: [0.0; 3],
+        axis: [0.0, 0.0, -1.0],
+        factor: 1.0,
+    });
+    facts.rigid(&[pin, ram]);
+    facts.conditions.push(Condition::Coordinate(ram, 1, 0.0));
+    facts.conditions.push(Condition::Coordinate(ram, 2, 0.0));
+    let text = imported("press.xml", &Options::default()).text;
+    let name = if text.contains("at_guide_2") {
+        "at_guide_2"
+    } else {
+        "at_guide"
+    };
+    facts.names[2] = name.to_owned();
+    compare(
+        "press.xml",
+        &Options::default(),
+        &facts,
+        &[SPACE[0], SPACE[1]],
+    );
+    // The follower goes by the polynomial of the file.
+    let mechanism = Mechanism::compile(&text).expect("a mechanism");
+    let assembly = mechanism
+        .assemble(&mechanism.dimensions())
+        .expect("it closes");
+    for x in [-1.3, 0.0, 0.4, 2.9] {
+        let [_, y] = assembly.results("motion", &[x]).vector("at_valve");
+        let wanted = 0.2 + 0.01 * x + 0.002 * x * x - 0.0003 * x * x * x * x;
+        assert!((y - wanted).abs() < 1e-15, "{x}: {y}");
+    }
+}
+
+#[test]
+fn mjcf_with_balls() {
+    let mut facts = Points::default();
+    let ball = facts.add("at_ball", [0.0, 0.03, 0.0], false);
+    let end = facts.add("connect_1_end", [0.09, 0.09, -0.07], false);
+    let pivot = [0.11, 0.03, -0.05];
+    let on_axis = facts.add("", [0.11, 0.33, 0.85], true);
+    let foot = facts.add("at_driven", pivot, true);
+    facts.conditions.push(Condition::Turned {
+        point: ball,
+        pivot: [0.0; 3],
+        axis: [1.0, 0.0, 0.0],
+        factor: 1.0,
+    });
+    facts.rigid(&[ball, end]);
+    facts.rigid(&[end, on_axis]);
+    facts.rigid(&[end, foot]);
+    compare("crossed.xml", &Options::default(), &facts, &SPACE);
+}
+
+#[test]
+fn urdf_with_mimic() {
+    let text = imported("gripper.urdf", &Options::default()).text;
+    let mechanism = Mechanism::compile(&text).unwrap_or_else(|error| panic!("{error}\n{text}"));
+    let assembly = mechanism
+        .assemble(&mechanism.dimensions())
+        .expect("it closes");
+    for x in [0.0_f64, 0.3, 0.8] {
+        let results = assembly.results("motion", &[x]);
+        // The plane is y and z.
+        let (sine, cosine) = x.sin_cos();
+        let [y, z] = results.vector("at_left_tip");
+        assert!((y - (0.03 + 0.02 * cosine - 0.08 * sine)).abs() < 1e-15);
+        assert!((z - (0.05 + 0.02 * sine + 0.08 * cosine)).abs() < 1e-15);
+        assert!((results["turn_right"] + x).abs() < 1e-15);
+        // About the opposite axis.
+        assert!((results["turn_pad"] - (x - (1.5 * x + 0.1))).abs() < 1e-15);
+    }
+}
+
+/// The points of a carrier and of the chassis, forward, left, up.
+fn suspension(
+    chassis: &[(&str, Point)],
+    carrier: &[(&str, Point)],
+    rods: &[(&str, &str)],
+) -> Points {
+    let mut facts = Points::default();
+    for (name, at) in chassis {
+        facts.add(name, *at, true);
+    }
+    let all: Vec<usize> = carrier
+        .iter()
+        .map(|(name, at)| facts.add(name, *at, false))
+        .collect();
+    facts.rigid(&all);
+    let find = |facts: &Points, name: &str| {
+        let mut names = facts.names.iter();
+        names.position(|other| other == name).expect("a point")
+    };
+    for (a, b) in rods {
+        let (a, b) = (find(&facts, a), find(&facts, b));
+        facts.conditions.push(Condition::Distance(a, b));
+    }
+    let centre = find(&facts, "wheel_centre");
+    facts.conditions.push(Condition::Coordinate(centre, 2, 1.0));
+    // The chassis is not a result.
+    for index in 0..chassis.len() {
+        facts.names[index].clear();
+    }
+    facts
+}
+
+#[test]
+fn a_double_wishbone() {
+    let chassis = [
+        ("lf", [180.0, 250.0, 125.0]),
+        ("lr", [-175.0, 280.0, 126.0]),
+        ("uf", [178.0, 252.0, 281.0]),
+        ("ur", [-176.0, 280.0, 264.0]),
+        ("ti", [76.0, 230.0, 201.0]),
+        ("pivot", [30.0, 216.5, 498.0]),
+        ("axis", [60.0, 218.5, 497.0]),
+    ];
+    let carrier = [
+        ("lower_ball", [9.0, 560.0, 140.0]),
+        ("upper_ball", [-15.0, 545.0, 324.0]),
+        ("tie_outer", [76.0, 552.0, 241.0]),
+        ("wheel_centre", [0.0, 600.0, 232.0]),
+        ("contact", [0.0, 601.0, 0.0]),
+    ];
+    let rods = [
+        ("lf", "lower_ball"),
+        ("lr", "lower_ball"),
+        ("uf", "upper_ball"),
+        ("ur", "upper_ball"),
+        ("ti", "tie_outer"),
+    ];
+    let mut facts = suspension(&chassis, &carrier, &rods);
+    let find = |facts: &Points, at: Point| {
+        let mut drawn = facts.drawn.iter();
+        drawn.position(|other| *other == at).expect("a point")
+    };
+    // The end of the push rod is on the lower wishbone, a triangle that it does not leave: with a
+    // point beside it, which is as far from both pivots and from the ball.
+    let push = facts.add("push_lower", [15.0, 510.0, 138.5], false);
+    let [lf, lr] = [chassis[0].1, chassis[1].1].map(|at| find(&facts, at));
+    let ball = find(&facts, carrier[0].1);
+    let above = facts.add("", [10.0, 400.0, 400.0], false);
+    for other in [lf, lr, ball] {
+        facts.conditions.push(Condition::Distance(push, other));
+        facts.conditions.push(Condition::Distance(above, other));
+    }
+    facts.conditions.push(Condition::Distance(push, above));
+    let [pivot, axis] = [chassis[5].1, chassis[6].1].map(|at| find(&facts, at));
+    let rocker = facts.add("push_rocker", [30.0, 243.0, 520.0], false);
+    let damper = facts.add("damper_rocker", [30.0, 188.5, 526.0], false);
+    for point in [rocker, damper] {
+        facts.conditions.push(Condition::Distance(point, pivot));
+        facts.conditions.push(Condition::Distance(point, axis));
+    }
+    facts.rigid(&[rocker, damper]);
+    facts.rigid(&[push, rocker]);
+    compare(
+        "double_wishbone.csv",
+        &hard_points("forward,left,up", "left"),
+        &facts,
+        &SPACE,
+    );
+}
+
+#[test]
+fn a_strut_with_other_axes() {
+    // The file has x to the rear and y to the right.
+    let of_file = |p: Point| [-p[0], -p[1], p[2]];
+    let chassis = [
+        ("lf", of_file([-150.0, 350.0, 200.0])),
+        ("lr", of_file([180.0, 345.0, 205.0])),
+        ("ti", of_file([130.0, 330.0, 240.0])),
+        ("top", of_file([40.0, 560.0, 850.0])),
+    ];
+    let carrier = [
+        ("lower_ball", of_file([0.0, 700.0, 185.0])),
+        ("tie_outer", of_file([135.0, 690.0, 235.0])),
+        ("wheel_centre", of_file([0.0, 750.0, 300.0])),
+        ("strut_bottom", of_file([10.0, 640.0, 400.0])),
+        ("damper_carrier", of_file([0.0, 690.0, 250.0])),
+        // A third of the way up the strut.
+        ("", of_file([20.0, 640.0 - 80.0 / 3.0, 550.0])),
+    ];
+    let rods = [
+        ("lf", "lower_ball"),
+        ("lr", "lower_ball"),
+        ("ti", "tie_outer"),
+    ];
+    let mut facts = suspension(&chassis, &carrier, &rods);
+    let count = facts.names.len();
+    facts
+        .conditions
+        .push(Condition::Line(3, count - 3, count - 1));
+    compare(
+        "strut.yaml",
+        &hard_points("rear,right,up", "right"),
+        &facts,
+        &SPACE,
+    );
+}
+
+#[test]
+fn five_rods_with_names_of_the_file() {
+    let mut options = hard_points("forward,left,up", "left");
+    for number in 1..=5 {
+        options.roles.push(format!("rod{number}_inner=P{number}"));
+        options.roles.push(format!("rod{number}_outer=Q{number}"));
+    }
+    options.roles.push("wheel_centre=hub".to_owned());
+    let chassis = [
+        ("P1", [110.0, 420.0, 430.0]),
+        ("P2", [-85.0, 435.0, 440.0]),
+        ("P3", [265.0, 480.0, 265.0]),
+        ("P4", [-60.0, 255.0, 215.0]),
+        ("P5", [-190.0, 316.0, 258.0]),
+    ];
+    let carrier = [
+        ("rod1_outer", [15.0, 690.0, 455.0]),
+        ("rod2_outer", [-30.0, 685.0, 460.0]),
+        ("rod3_outer", [40.0, 700.0, 215.0]),
+        ("rod4_outer", [-25.0, 705.0, 200.0]),
+        ("rod5_outer", [-150.0, 690.0, 262.0]),
+        ("wheel_centre", [0.0, 760.0, 320.0]),
+    ];
+    let rods = [
+        ("P1", "rod1_outer"),
+        ("P2", "rod2_outer"),
+        ("P3", "rod3_outer"),
+        ("P4", "rod4_outer"),
+        ("P5", "rod5_outer"),
+    ];
+    let facts = suspension(&chassis, &carrier, &rods);
+    compare("five_rods.csv", &options, &facts, &SPACE);
+}
