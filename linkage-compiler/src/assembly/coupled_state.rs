@@ -86,7 +86,7 @@ pub(super) fn candidate_of(
     }
     Candidate {
         state,
-        position: estimates::position(assembly, values),
+        position: estimates::position(assembly, values, &[]),
     }
 }
 

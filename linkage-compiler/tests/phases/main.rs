@@ -15,6 +15,7 @@ mod periodic_courses;
 mod proposals;
 mod robust;
 mod speed;
+mod spellings;
 mod splines;
 
 use proc_macro2::TokenStream;
