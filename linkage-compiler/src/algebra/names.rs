@@ -24,6 +24,9 @@ pub(crate) struct Angle<'m> {
     pub(crate) stands_for: Option<StandsFor>,
     /// The estimate, if it is no unknown and stands for none.
     pub(crate) estimated: f64,
+    /// The direction of a link that the compiler introduced, where the points that it joins are
+    /// estimated.
+    pub(crate) drawn: f64,
     /// The direction near which it stays, if its closed form has one.
     pub(crate) reference: Option<AngleReference<'m>>,
 }
@@ -178,6 +181,7 @@ impl<'m> Names<'m> {
             unknown,
             stands_for: None,
             estimated: 0.0,
+            drawn: 0.0,
             reference: None,
         });
         self.angles.len() - 1

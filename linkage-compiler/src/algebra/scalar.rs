@@ -38,8 +38,7 @@ pub(crate) fn direction<'m>(names: &mut Names<'m>, angle: &Scalar<'m>) -> V2<'m>
         match atom {
             Atom::Input(index) => {
                 names.add_rate(atom, k);
-                let turned = cos_sin(k * names.input(index));
-                result = result.turned(turned);
+                result = result.turned(unit_of_input(names, index, k));
             }
             Atom::Angle(index) if k.fract() == 0.0 && k.abs() <= MAX_POWER => {
                 let power = unit_power(names, index, k as i32);
@@ -52,6 +51,11 @@ pub(crate) fn direction<'m>(names: &mut Names<'m>, angle: &Scalar<'m>) -> V2<'m>
     let unit = cos_sin(argument).turned(result);
     unit.mark_unit();
     unit
+}
+
+/// The unit vector of a multiple of an input.
+pub(crate) fn unit_of_input<'m>(names: &Names<'m>, index: usize, factor: f64) -> V2<'m> {
+    cos_sin(factor * names.input(index))
 }
 
 /// The unit vector of an unknown angle to an integer power.

@@ -172,7 +172,7 @@ pub(super) fn candidate_of(
     }
     Candidate {
         state,
-        position: estimates::position(assembly, values),
+        position: estimates::position(assembly, values, &[]),
     }
 }
 

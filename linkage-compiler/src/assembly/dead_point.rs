@@ -107,6 +107,7 @@ impl<'m> DeadPoint<'_, 'm> {
             | Form::Linear { .. }
             | Form::ThreeSlides { .. }
             | Form::Relation { .. }
+            | Form::Parallel { .. }
             | Form::Coupled(_) => None,
         }
     }

@@ -50,14 +50,11 @@ pub(super) fn degenerate<'m>(assembly: &Assembly<'_, 'm>, solved: &Solved<'m>) -
         }
         Form::Trigonometric { angle, a, b, c } => {
             let [a, b, c] = at_reference(assembly, [*a, *b, *c]);
-            (a.hypot(b) <= NOTHING * c.abs()).then(|| {
-                    let angle = angle_name(assembly, *angle);
-                    let fact = format!("it does not change with {angle}");
-                    let help = format!(
-                        "look for a vector that is turned by {angle} and lies along its axis, or that is zero"
-                    );
-                    (fact, help)
-                })
+            (a.hypot(b) <= NOTHING * c.abs()).then(|| unchanged_by_angle(assembly, *angle))
+        }
+        Form::Parallel { angle, arm, .. } => {
+            let [arm] = at_reference(assembly, [*arm]);
+            (arm == 0.0).then(|| unchanged_by_angle(assembly, *angle))
         }
         Form::Linear { symbol, a, b } => {
             let [a, b] = at_reference(assembly, [*a, *b]);
@@ -78,13 +75,36 @@ pub(super) fn degenerate<'m>(assembly: &Assembly<'_, 'm>, solved: &Solved<'m>) -
             let normals = planes.iter().map(|plane| vector(assembly, &plane.normal.0));
             point(assembly, solved, spheres, normals.chain(missing).collect())
         }
-        Form::TwoRotors { .. }
-        | Form::RotorAndSlide { .. }
+        Form::TwoRotors {
+            first,
+            second,
+            known,
+        } => {
+            let [known, first, second] = [known, &first.z, &second.z].map(|v| {
+                let [x, y] = at_reference(assembly, v.0);
+                x.hypot(y)
+            });
+            (known <= NOTHING * first.max(second)).then(|| {
+                let fact = "its two links have one pivot".to_owned();
+                let help = "look for a pivot that is written twice, or a loop that repeats another";
+                (fact, help.to_owned())
+            })
+        }
+        Form::RotorAndSlide { .. }
         | Form::SlideOnRotor { .. }
         | Form::Quadratic { .. }
         | Form::Relation { .. }
         | Form::Coupled(_) => None,
     }
+}
+
+fn unchanged_by_angle(assembly: &Assembly<'_, '_>, angle: usize) -> Reason {
+    let angle = angle_name(assembly, angle);
+    let fact = format!("it does not change with {angle}");
+    let help = format!(
+        "look for a vector that is turned by {angle} and lies along its axis, or that is zero"
+    );
+    (fact, help)
 }
 
 fn degenerate_guides(

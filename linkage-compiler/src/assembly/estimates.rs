@@ -94,8 +94,24 @@ pub(super) fn angle_near_estimate(
     Ternary::AngleNear.apply([sin, cos, estimate])
 }
 
-/// The unknowns of an assembly, compared with their estimates.
-pub(super) fn position(assembly: &Assembly<'_, '_>, values: Vec<(usize, Vec<f64>)>) -> Position {
+/// The angle from the estimate of a link to its direction, of a link that is no unknown of the
+/// mechanism: it is estimated by the points that it joins.
+pub(super) fn link_from_estimate(
+    assembly: &Assembly<'_, '_>,
+    angle: usize,
+    [cos, sin]: [f64; 2],
+) -> f64 {
+    let drawn = assembly.algebra.names.angles[angle].drawn;
+    Ternary::AngleNear.apply([sin, cos, drawn]) - drawn
+}
+
+/// The unknowns of an assembly, compared with their estimates; `links` are the differences of
+/// links.
+pub(super) fn position(
+    assembly: &Assembly<'_, '_>,
+    values: Vec<(usize, Vec<f64>)>,
+    links: &[f64],
+) -> Position {
     let estimated = values
         .iter()
         .filter(|(unknown, _)| is_estimated(assembly, *unknown));
@@ -108,7 +124,8 @@ pub(super) fn position(assembly: &Assembly<'_, '_>, values: Vec<(usize, Vec<f64>
         let pairs = value.iter().zip(&assembly.nominal.estimates[*unknown]);
         pairs.map(move |(x, estimate)| ((x - estimate) / unit).clamp(-limit, limit))
     });
-    let distance = differences.map(|x| x * x).sum::<f64>().sqrt();
+    let distance = differences.chain(links.iter().copied());
+    let distance = distance.map(|x| x * x).sum::<f64>().sqrt();
     Position {
         distance: match distance.is_nan() {
             true => f64::INFINITY,

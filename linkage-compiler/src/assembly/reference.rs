@@ -204,7 +204,12 @@ fn candidate<'m>(
         };
         (unknown, value)
     });
-    let position = estimates::position(assembly, unknowns.collect());
+    let links = stage.links.iter().map(|&(angle, output)| {
+        let unit = [output, output + 1].map(|k| assembly.output(k));
+        estimates::link_from_estimate(assembly, angle, unit)
+    });
+    let links: Vec<f64> = links.collect();
+    let position = estimates::position(assembly, unknowns.collect(), &links);
     Candidate {
         sign,
         gap: assembly.output(stage.gap),

@@ -143,6 +143,7 @@ fn shape<'m>(assembly: &Assembly<'_, 'm>, form: &Form<'m>) -> String {
         | Form::Linear { .. }
         | Form::ThreeSlides { .. }
         | Form::Relation { .. }
+        | Form::Parallel { .. }
         | Form::Coupled(_) => String::new(),
     }
 }

@@ -23,6 +23,9 @@ pub struct ClosurePrograms {
 pub struct Outputs {
     /// Unknowns that are compared with their estimates here: (unknown, first output).
     pub unknowns: Vec<(usize, usize)>,
+    /// Of a group without unknowns of the mechanism, the angles of links that are compared with
+    /// their estimates instead: (angle, first output).
+    pub links: Vec<(usize, usize)>,
     /// The amount by which it misses closing.
     pub gap: usize,
     /// See `Closed::slack`.

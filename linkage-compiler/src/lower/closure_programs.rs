@@ -41,6 +41,12 @@ pub(crate) fn closure_programs<'m>(
             outputs.unknowns.push((unknown, next + numbers.len()));
             numbers.extend(algebra.names.numbers_of(unknown));
         }
+        if solved.mode.is_some() && outputs.unknowns.is_empty() {
+            for angle in solved.group.form.introduced_angles(&algebra.names) {
+                outputs.links.push((angle, next + numbers.len()));
+                numbers.extend(algebra.names.angles[angle].unit.components());
+            }
+        }
         outputs.gap = next + numbers.len();
         outputs.slack = outputs.gap + 1;
         outputs.margin = outputs.gap + 2;

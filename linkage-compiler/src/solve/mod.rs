@@ -15,6 +15,7 @@ mod definitions;
 mod formulation;
 mod group_context;
 mod longest;
+mod parallel_angle;
 mod plane;
 mod point;
 mod prp;
@@ -170,6 +171,9 @@ fn solve<'m>(
             known,
         } => three_slides::three_slides(algebra, group, *slides, *guides, *known),
         Form::Relation { angle, value } => scalar::relation(algebra, *angle, value),
+        Form::Parallel { angle, value, arm } => {
+            parallel_angle::parallel_angle(algebra, group, *angle, value, *arm)
+        }
         Form::Coupled(coupled) => {
             let (closed, prepared) = coupled::coupled(algebra, group, coupled);
             return (closed, Some(prepared));

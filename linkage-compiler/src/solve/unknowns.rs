@@ -35,7 +35,8 @@ pub(super) fn symbols_of_form(algebra: &Algebra, form: &Form) -> Vec<SymbolId> {
         Form::ThreeSlides { slides, .. } => slides.to_vec(),
         Form::Trigonometric { angle, .. }
         | Form::LinkToRotor { angle, .. }
-        | Form::Relation { angle, .. } => of_angle(*angle),
+        | Form::Relation { angle, .. }
+        | Form::Parallel { angle, .. } => of_angle(*angle),
         Form::Quadratic { symbol, .. } | Form::Linear { symbol, .. } => vec![*symbol],
         Form::LinkToSlide { slide, .. } => vec![*slide],
         Form::Point { coordinates, .. } => coordinates.iter().map(|(symbol, _)| *symbol).collect(),

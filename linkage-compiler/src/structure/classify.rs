@@ -1,14 +1,15 @@
 //! Recognising a group by its mathematics: its loop as a polynomial in its unknowns.
 
-use linkage_symbolic::{Ex, Graph, SymbolId};
+use linkage_symbolic::{Ex, Graph, SymbolId, Vector};
 
 use crate::algebra::names::Names;
 use crate::structure::distance::Distance;
 use crate::structure::elements::Rotor;
 use crate::structure::equations::{Coordinate, CoordinateKind, Equation};
 use crate::structure::form::Form;
+use crate::structure::parallel_direction::Parallel;
 use crate::structure::polynomials::Polynomials;
-use crate::structure::{distance, explicit, polynomials, space};
+use crate::structure::{distance, explicit, parallel_direction, polynomials, space};
 
 /// The form in which one equation is solved for all its coordinates, if it has one of the known
 /// forms.
@@ -132,6 +133,13 @@ fn is_link<'m>(names: &Names<'m>, row: Ex<'m>, coordinate: &Coordinate) -> bool 
     rest.is_exhausted() && moving.is_some_and(|vector| !vector.is_zero())
 }
 
+/// `a cos + b sin + c = 0` with `c = 0`, if the angle is then that of a direction that turns with
+/// known angles.
+fn along_direction<'m>(names: &Names<'m>, [a, b, c]: [Ex<'m>; 3]) -> Option<Parallel<'m>> {
+    c.is_zero()
+        .then(|| parallel_direction::parallel_direction(names, Vector([b, -a])))?
+}
+
 fn classify_scalar<'m>(
     names: &Names<'m>,
     equation: &Equation<'m>,
@@ -167,7 +175,10 @@ fn classify_scalar<'m>(
                     let value = (-(c / factor)).into();
                     Form::Relation { angle, value }
                 }
-                (false, true) => Form::Trigonometric { angle, a, b, c },
+                (false, true) => match along_direction(names, [a, b, c]) {
+                    Some(Parallel { value, arm }) => Form::Parallel { angle, value, arm },
+                    None => Form::Trigonometric { angle, a, b, c },
+                },
                 _ => return None,
             }
         }

@@ -11,18 +11,42 @@ use crate::structure::group::{Group, Structure};
 use crate::structure::mobility_check::MobilityCheck;
 use crate::structure::reductions::Reductions;
 use crate::structure::scope::Scope;
-use crate::structure::{classify, eliminate, equations, matching, mobility_check, point, unsolved};
+use crate::structure::{
+    classify, eliminate, equations, matching, mobility_check, point, separation, triangle, unsolved,
+};
 
 /// The state of the analysis.
 struct Analysis<'a, 'm> {
     names: &'a mut Names<'m>,
     nominal: &'a Nominal,
-    reporter: Reporter<'a>,
     /// The groups so far, in the order of their solution.
     groups: Vec<Group<'m>>,
+    faults: Vec<StructureFault>,
     reductions: Reductions<'m>,
     /// The number of reductions so far.
     steps: usize,
+    /// The number of separations so far.
+    separations: usize,
+}
+
+/// A stage of the analysis, to which it can go back.
+struct Checkpoint {
+    groups: usize,
+    faults: usize,
+    explicit: usize,
+    kept_axes: usize,
+    angles: usize,
+    steps: usize,
+    separations: usize,
+}
+
+/// The systems among which a component can be separated.
+#[derive(Clone, Copy, PartialEq)]
+enum Attempt {
+    /// As it was written, and after all reductions.
+    AsWritten,
+    /// After all reductions only.
+    Reduced,
 }
 
 /// Finds the groups of a scope, and reports those that cannot be solved.
@@ -30,18 +54,22 @@ pub(crate) fn decompose<'m>(
     names: &mut Names<'m>,
     nominal: &Nominal,
     scope: &Scope,
-    reporter: Reporter,
+    mut reporter: Reporter,
 ) -> Structure<'m> {
     let mut analysis = Analysis {
         names,
         nominal,
-        reporter,
         groups: Vec::new(),
+        faults: Vec::new(),
         reductions: Reductions::default(),
         steps: 0,
+        separations: 0,
     };
     let (equations, coordinates) = equations::equations(analysis.names, scope);
-    solve(&mut analysis, equations, coordinates);
+    solve(&mut analysis, equations, coordinates, Attempt::AsWritten);
+    for fault in analysis.faults {
+        reporter.error(fault.origin, fault.text);
+    }
     Structure {
         groups: analysis.groups,
         explicit: analysis.reductions.explicit,
@@ -57,6 +85,7 @@ fn solve<'m>(
     analysis: &mut Analysis<'_, 'm>,
     equations: Vec<Equation<'m>>,
     coordinates: Vec<Coordinate>,
+    attempt: Attempt,
 ) {
     let incidence: Vec<Vec<usize>> = equations
         .iter()
@@ -76,11 +105,9 @@ fn solve<'m>(
         // Equations or unknowns that are missing here have been introduced here: the loop before
         // has no known form.
         let fault = unsolved::unsolved_group(analysis.names, &equations, &coordinates);
-        report_fault(&mut analysis.reporter, fault);
+        analysis.faults.push(fault);
     }
-    for fault in faults {
-        report_fault(&mut analysis.reporter, fault);
-    }
+    analysis.faults.extend(faults);
     if !complete {
         return;
     }
@@ -92,21 +119,53 @@ fn solve<'m>(
             .map(|k| coordinates[k].clone())
             .collect();
         let equations = component.iter().map(|&k| equations[k].clone()).collect();
-        solve_component(analysis, equations, coordinates);
+        solve_component(analysis, equations, coordinates, attempt);
     }
 }
 
-/// One strongly connected component: recognised, reduced, or reported.
+/// One strongly connected component: recognised, reduced, separated, or reported.
 fn solve_component<'m>(
     analysis: &mut Analysis<'_, 'm>,
     equations: Vec<Equation<'m>>,
     coordinates: Vec<Coordinate>,
+    attempt: Attempt,
 ) {
     let mechanism = analysis.names.mechanism;
     if let Some(form) = closed_form(analysis.names, analysis.nominal, &equations, &coordinates) {
         let group = group(mechanism, &equations, &coordinates, form);
         return analysis.groups.push(group);
     }
+    let before = checkpoint(analysis);
+    solve_reduced(analysis, &equations, &coordinates);
+    if attempt != Attempt::AsWritten || !is_open_since(analysis, &before) {
+        return;
+    }
+    // The loops as they are written show best which of them a group consists of.
+    if is_separable(analysis, &equations, &coordinates) {
+        return_to(analysis, &before);
+        solve_separated(analysis, &equations, &coordinates, attempt);
+    } else if has_triangle(analysis, &equations, &coordinates) {
+        return_to(analysis, &before);
+        let Analysis {
+            names,
+            nominal,
+            reductions,
+            ..
+        } = analysis;
+        let turned = triangle::by_shape(names, nominal, reductions, &equations, &coordinates);
+        if let Some((equations, coordinates)) = turned {
+            solve(analysis, equations, coordinates, attempt);
+        }
+    }
+}
+
+/// A component without a closed form: reduced, separated, or solved as a coupled group.
+fn solve_reduced<'m>(
+    analysis: &mut Analysis<'_, 'm>,
+    equations: &[Equation<'m>],
+    coordinates: &[Coordinate],
+) {
+    let mechanism = analysis.names.mechanism;
     analysis.steps += 1;
     let allowed = analysis.steps <= STEPS_PER_LOOP * mechanism.loops.len();
     let reduced = if allowed {
@@ -114,27 +173,103 @@ fn solve_component<'m>(
             analysis.names,
             analysis.nominal,
             &mut analysis.reductions,
-            &equations,
-            &coordinates,
+            equations,
+            coordinates,
         )
     } else {
         None
     };
     if let Some((equations, coordinates)) = reduced {
-        return solve(analysis, equations, coordinates);
+        return solve(analysis, equations, coordinates, Attempt::Reduced);
+    }
+    if allowed && is_separable(analysis, equations, coordinates) {
+        return solve_separated(analysis, equations, coordinates, Attempt::Reduced);
     }
     let squared =
-        distance_polynomials::with_squared_distances(analysis.names, &equations, &coordinates);
-    match classify_coupled::classify_coupled(analysis.names, &squared, &coordinates) {
+        distance_polynomials::with_squared_distances(analysis.names, equations, coordinates);
+    match classify_coupled::classify_coupled(analysis.names, &squared, coordinates) {
         Some(form) => {
-            let group = group(mechanism, &equations, &coordinates, form);
+            let group = group(mechanism, equations, coordinates, form);
             analysis.groups.push(group);
         }
         None => {
-            let fault = unsolved::unsolved_group(analysis.names, &squared, &coordinates);
-            report_fault(&mut analysis.reporter, fault);
+            let fault = unsolved::unsolved_group(analysis.names, &squared, coordinates);
+            analysis.faults.push(fault);
         }
     }
+}
+
+/// Checks if the set has a triangle of distances.
+fn has_triangle<'m>(
+    analysis: &mut Analysis<'_, 'm>,
+    equations: &[Equation<'m>],
+    coordinates: &[Coordinate],
+) -> bool {
+    let (nominal, reductions) = (analysis.nominal, &analysis.reductions);
+    analysis.names.tried(|names| {
+        triangle::by_shape(names, nominal, reductions, equations, coordinates).is_some()
+    })
+}
+
+/// Checks if combinations of the loops fall apart. A coupled group stays as it is otherwise: the
+/// order of its sums depends on the expressions that the graph has.
+fn is_separable<'m>(
+    analysis: &mut Analysis<'_, 'm>,
+    equations: &[Equation<'m>],
+    coordinates: &[Coordinate],
+) -> bool {
+    let reductions = &analysis.reductions;
+    analysis
+        .names
+        .tried(|names| separation::separated(names, reductions, equations, coordinates).is_some())
+}
+
+fn solve_separated<'m>(
+    analysis: &mut Analysis<'_, 'm>,
+    equations: &[Equation<'m>],
+    coordinates: &[Coordinate],
+    attempt: Attempt,
+) {
+    let Analysis {
+        names, reductions, ..
+    } = &*analysis;
+    if let Some((equations, coordinates)) =
+        separation::separated(names, reductions, equations, coordinates)
+    {
+        analysis.separations += 1;
+        solve(analysis, equations, coordinates, attempt);
+    }
+}
+
+fn checkpoint(analysis: &Analysis) -> Checkpoint {
+    Checkpoint {
+        groups: analysis.groups.len(),
+        faults: analysis.faults.len(),
+        explicit: analysis.reductions.explicit.len(),
+        kept_axes: analysis.reductions.kept_axes.len(),
+        angles: analysis.names.angles.len(),
+        steps: analysis.steps,
+        separations: analysis.separations,
+    }
+}
+
+/// True if the component since then is coupled, not solved, or was separated late.
+fn is_open_since(analysis: &Analysis, before: &Checkpoint) -> bool {
+    let groups = &analysis.groups[before.groups..];
+    groups.iter().any(|g| matches!(g.form, Form::Coupled(_)))
+        || analysis.faults.len() > before.faults
+        || analysis.separations > before.separations
+}
+
+fn return_to(analysis: &mut Analysis, before: &Checkpoint) {
+    analysis.groups.truncate(before.groups);
+    analysis.faults.truncate(before.faults);
+    analysis
+        .reductions
+        .truncate(before.explicit, before.kept_axes);
+    analysis.names.angles.truncate(before.angles);
+    analysis.steps = before.steps;
+    analysis.separations = before.separations;
 }
 
 /// Returns the form in which a component is solved as it is; `None` if it has no closed form.
@@ -149,10 +284,6 @@ fn closed_form<'m>(
         _ => None,
     };
     single.or_else(|| point::classify_point(names, nominal, equations, coordinates))
-}
-
-fn report_fault(reporter: &mut Reporter, fault: StructureFault) {
-    reporter.error(fault.origin, fault.text);
 }
 
 /// Builds a group from its equations, its coordinates and its form.

@@ -127,7 +127,7 @@ pub(crate) fn reduce<'m>(
         .or_else(|| eliminate_slide(names.graph, reductions, equations, coordinates))
         .or_else(|| rewrite::join_rows(names, equations, coordinates))
         .or_else(|| double::distance_of_double_angle(names, reductions, equations, coordinates))
-        .or_else(|| rewrite::distance_to_link(names, equations, coordinates))
+        .or_else(|| rewrite::distance_to_link(names, nominal, equations, coordinates))
         .or_else(|| rewrite::split_along_guide(names, equations, coordinates))
         .or_else(|| rewrite::split_across_guides(names, equations, coordinates))
         .or_else(|| double::double_angle(names, reductions, equations, coordinates))

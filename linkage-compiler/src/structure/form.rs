@@ -2,7 +2,7 @@
 
 use linkage_symbolic::{Ex, SymbolId, V2, V3};
 
-use crate::algebra::Scalar;
+use crate::algebra::{Names, Scalar};
 use crate::structure::coupled::group::{Coupled, Private};
 use crate::structure::elements::{Plane, Rotor, Sphere};
 
@@ -42,6 +42,13 @@ pub(crate) enum Form<'m> {
         a: Ex<'m>,
         b: Ex<'m>,
         c: Ex<'m>,
+    },
+    /// An angle equal to that of a known direction, or half a turn from it; the direction is open
+    /// where `arm` is 0.
+    Parallel {
+        angle: usize,
+        value: Scalar<'m>,
+        arm: Ex<'m>,
     },
     /// `a x^2 + b x + c = 0`
     Quadratic {
@@ -108,8 +115,22 @@ impl<'m> Form<'m> {
             | Self::Linear { .. }
             | Self::ThreeSlides { .. }
             | Self::Relation { .. }
+            | Self::Parallel { .. }
             | Self::Coupled(_) => self.rotors().iter().map(|r| r.z.0.to_vec()).collect(),
         }
+    }
+
+    /// The angles of its links that are no unknowns of the mechanism.
+    pub(crate) fn introduced_angles(&self, names: &Names) -> Vec<usize> {
+        let introduced = |angle: &usize| {
+            let angle = &names.angles[*angle];
+            angle.unknown.is_none() && angle.stands_for.is_none()
+        };
+        let angles: Vec<usize> = match self {
+            Self::Trigonometric { angle, .. } | Self::Parallel { angle, .. } => vec![*angle],
+            _ => self.rotors().iter().map(|rotor| rotor.angle).collect(),
+        };
+        angles.into_iter().filter(introduced).collect()
     }
 
     fn rotors(&self) -> Vec<&Rotor<'m>> {
@@ -132,7 +153,8 @@ impl<'m> Form<'m> {
             | Self::LinkToSlide { .. }
             | Self::Point { .. }
             | Self::ThreeSlides { .. }
-            | Self::Relation { .. } => Vec::new(),
+            | Self::Relation { .. }
+            | Self::Parallel { .. } => Vec::new(),
         }
     }
 
@@ -150,7 +172,7 @@ impl<'m> Form<'m> {
             Self::LinkToSlide { .. } => "link to slide",
             Self::Point { .. } => "point",
             Self::ThreeSlides { .. } => "three slides",
-            Self::Relation { .. } => "relation",
+            Self::Relation { .. } | Self::Parallel { .. } => "relation",
             Self::Coupled(_) => "coupled",
         }
     }

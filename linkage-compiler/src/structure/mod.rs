@@ -10,10 +10,12 @@
 //!
 //! 1. data: `elements`, `coupled::group`, `form`, `group`, `scope`, `reductions`, `fault`;
 //! 2. the two sides of the graph (`equations`) and its matching (`matching`);
-//! 3. expressions in unknowns: `polynomials`, `distance`, `space`, `explicit`;
+//! 3. expressions in unknowns: `polynomials`, `distance`, `space`, `explicit`,
+//!    `parallel_direction`;
 //! 4. recognition: `classify`, `point`, `coupled`;
 //! 5. reductions, one step of a coupled set towards known forms: `rewrite`, `double`, `circle`,
-//!    `body`, `body_circle`, chosen by `eliminate`;
+//!    `body`, `body_circle`, chosen by `eliminate`; `combination` and `separation`, which make a
+//!    coupled set fall apart, and `triangle` above them;
 //! 6. messages: `naming`, `closest_approach`, `simultaneous`, `redundant`, `frames`,
 //!    `mobility_check`, `unsolved`;
 //! 7. `decompose`, the entry point.
@@ -23,6 +25,7 @@ pub(crate) mod body_circle;
 pub(crate) mod circle;
 pub(crate) mod classify;
 pub(crate) mod closest_approach;
+pub(crate) mod combination;
 pub(crate) mod coupled;
 pub(crate) mod decompose;
 pub(crate) mod distance;
@@ -39,14 +42,17 @@ pub(crate) mod matching;
 pub(crate) mod mobility_check;
 pub(crate) mod naming;
 mod nearly_redundant;
+pub(crate) mod parallel_direction;
 pub(crate) mod point;
 pub(crate) mod polynomials;
 pub(crate) mod reductions;
 pub(crate) mod redundant;
 pub(crate) mod rewrite;
 pub(crate) mod scope;
+pub(crate) mod separation;
 pub(crate) mod simultaneous;
 pub(crate) mod space;
+pub(crate) mod triangle;
 pub(crate) mod unsolved;
 
 pub(crate) use coupled::group::{Block, Core, Coupled, Private, Product};

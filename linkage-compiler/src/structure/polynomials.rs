@@ -63,6 +63,46 @@ impl<'m> Polynomials<'m> {
         all.filter(|&(_, power)| power > 0).collect()
     }
 
+    /// Returns the factors of a symbol, one for each row, if all rows are linear in it.
+    pub(crate) fn slope(&self, graph: &'m Graph, index: usize) -> Option<Vec<Ex<'m>>> {
+        let factor = |row: &Polynomial<'m>| {
+            let mut sum = graph.number(0.0);
+            for (monomial, &coefficient) in row {
+                match monomial[index] {
+                    0 => continue,
+                    1 => {}
+                    _ => return None,
+                }
+                let mut others = monomial.clone();
+                others[index] = 0;
+                sum += coefficient * self.product(graph, &others);
+            }
+            Some(sum)
+        };
+        self.rows.iter().map(factor).collect()
+    }
+
+    /// Returns the rows as expressions.
+    pub(crate) fn expressions(&self, graph: &'m Graph) -> Vec<Ex<'m>> {
+        let sum = |row: &Polynomial<'m>| {
+            let terms = row.iter();
+            let terms = terms.map(|(monomial, &x)| x * self.product(graph, monomial));
+            let sum = terms.reduce(|sum, term| sum + term);
+            sum.unwrap_or(graph.number(0.0))
+        };
+        self.rows.iter().map(sum).collect()
+    }
+
+    fn product(&self, graph: &'m Graph, monomial: &[u8]) -> Ex<'m> {
+        let mut product = graph.number(1.0);
+        for (symbol, power) in self.powers(monomial) {
+            for _ in 0..power {
+                product = product * graph.ex(graph.symbol_node(symbol));
+            }
+        }
+        product
+    }
+
     /// True if every term has been taken.
     pub(crate) fn is_exhausted(&self) -> bool {
         self.rows.iter().all(Polynomial::is_empty)

@@ -18,3 +18,13 @@ pub(crate) struct Reductions<'m> {
     /// Components of axes that stay unknowns, all six of a body: systems are solved in its turns.
     pub(crate) kept_axes: Vec<SymbolId>,
 }
+
+impl Reductions<'_> {
+    /// Takes the last reductions back.
+    pub(crate) fn truncate(&mut self, explicit: usize, kept_axes: usize) {
+        for undone in self.explicit.drain(explicit..) {
+            self.substitutions.remove(&undone.symbol);
+        }
+        self.kept_axes.truncate(kept_axes);
+    }
+}

@@ -4,7 +4,7 @@
 use linkage_symbolic::{Ex, SymbolId, Vector, collect};
 
 use crate::algebra::names::Names;
-use crate::algebra::{Atom, StandsFor, scalar};
+use crate::algebra::{Atom, Nominal, StandsFor, nominal, scalar};
 use crate::structure::distance::Distance;
 use crate::structure::equations::{Coordinate, CoordinateKind, Equation, System};
 use crate::structure::reductions::Reductions;
@@ -38,6 +38,7 @@ pub(crate) fn join_rows<'m>(
 /// `distance(a, b) = l` is a link of length `l` between `a` and `b`, at an angle of its own.
 pub(crate) fn distance_to_link<'m>(
     names: &mut Names<'m>,
+    nominal: &Nominal,
     equations: &[Equation<'m>],
     coordinates: &[Coordinate],
 ) -> Option<System<'m>> {
@@ -57,6 +58,7 @@ pub(crate) fn distance_to_link<'m>(
         let mut equations = equations.to_vec();
         let mut coordinates = coordinates.to_vec();
         let angle = names.add_angle("link", None);
+        names.angles[angle].drawn = angle_at_estimates(names, nominal, &vector);
         let unit = names.angles[angle].unit;
         let rows = (0..2).map(|k| vector[k] - length * unit[k]);
         equations[index].rows = rows.collect();
@@ -68,6 +70,13 @@ pub(crate) fn distance_to_link<'m>(
         return Some((equations, coordinates));
     }
     None
+}
+
+/// The angle of a vector where the unknowns are estimated; 0 if that is nowhere.
+fn angle_at_estimates(names: &Names<'_>, nominal: &Nominal, vector: &[Ex]) -> f64 {
+    let values = nominal::at_estimates(names, nominal, vector);
+    let angle = values[1].atan2(values[0]);
+    if angle.is_finite() { angle } else { 0.0 }
 }
 
 /// An angle whose vectors do not simply turn, with a slide: the equation across the guide contains

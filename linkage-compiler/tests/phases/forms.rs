@@ -299,7 +299,7 @@ fn coupled_groups_are_named_by_class() {
     // A closed contour of four links, two of them ternary.
     let tetrad = "unknown t1 = 60deg; unknown t2 = 10deg; unknown t3 = 20deg; unknown t4 = 100deg;
         loop polar(a, phi) + polar(b, t1) + polar(c, t2) = (d, 0) + polar(b, t4);
-        loop polar(a, phi) + polar(c, t1 + lift) + polar(c, t3) = (d, 0) + polar(c, t4 + lift);";
+        loop polar(a, phi) + polar(c, t1 + lift) + polar(c, t3) = (d, 0) + polar(b, t4 - lift);";
     for (text, class) in [
         (triad, "RR-RR-RR, class 3 order 3"),
         (tetrad, "contour of 4, class 4 order 2"),

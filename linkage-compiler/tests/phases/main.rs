@@ -16,6 +16,7 @@ mod proposals;
 mod robust;
 mod scalar_loops;
 mod speed;
+mod spellings;
 mod splines;
 
 use proc_macro2::TokenStream;

@@ -4,7 +4,7 @@
 //! known, and one equation without it: a link keeps its length, or a point stays on its guide. The
 //! rest are the *core* unknowns, two for a triad, whatever its joints.
 
-use linkage_symbolic::{Ex, Graph, SymbolId, Vector, substitute};
+use linkage_symbolic::{SymbolId, Vector, substitute};
 
 use crate::algebra::names::Names;
 use crate::structure::coupled::group::{Block, Coupled, Private, Product};
@@ -143,34 +143,10 @@ fn private_unknown<'m>(
             (gone && !rotor.z.is_zero()).then_some(Private::Rotor(rotor))
         }
         CoordinateKind::Length(slide) => {
-            let mut guide = Vector([names.zero(); 2]);
-            for (row, sum) in polynomials.rows.iter().zip(&mut guide.0) {
-                for (monomial, &coefficient) in row {
-                    match monomial[first] {
-                        0 => continue,
-                        1 => {}
-                        _ => return None,
-                    }
-                    let mut others = monomial.clone();
-                    others[first] = 0;
-                    let factor = product_of_powers(names.graph, polynomials.powers(&others));
-                    *sum += coefficient * factor;
-                }
-            }
+            let guide = Vector(polynomials.slope(names.graph, first)?.try_into().ok()?);
             (!guide.is_zero()).then_some(Private::Slide { slide, guide })
         }
     }
-}
-
-fn product_of_powers<'m>(graph: &'m Graph, powers: Vec<(SymbolId, u8)>) -> Ex<'m> {
-    let mut product = graph.number(1.0);
-    for (symbol, power) in powers {
-        for _ in 0..power {
-            let factor = graph.ex(graph.symbol_node(symbol));
-            product = product * factor;
-        }
-    }
-    product
 }
 
 fn block<'m>(

@@ -207,10 +207,12 @@ fn combine(operator: BinaryOp, left: &[f64], right: &[f64]) -> Option<Vec<f64>> 
 }
 
 fn factor(scale: Scale) -> f64 {
-    let (whole, power) = scale.whole;
-    let pi = std::f64::consts::PI.powi(scale.pi);
-    // The powers of ten of units are small.
-    10f64.powi(scale.ten as i32) * pi * f64::from(whole).powi(power)
+    let wholes = scale.wholes.iter();
+    // The powers of ten of units are small, and so are these numbers.
+    let wholes: f64 = wholes
+        .map(|(whole, power)| (*whole as f64).powi(*power))
+        .product();
+    10f64.powi(scale.ten as i32) * std::f64::consts::PI.powi(scale.pi) * wholes
 }
 
 /// Returns all names in an expression, those of functions aside.

@@ -1,0 +1,421 @@
+//! Combinations of equations: a loop less a multiple of another one, or across its guide, in which
+//! unknowns cancel.
+//!
+//! Loops are equations between vectors, and so are their sums and differences. A mechanism may be
+//! written by any of them: a loop that goes the long way round contains another one, and two pins
+//! of one plate on one line give an equation without the position of the plate.
+
+use linkage_symbolic::lookup::Map;
+use linkage_symbolic::program::{Binary, Unary};
+use linkage_symbolic::{
+    Ex, Monomial, Node, V2, Vector, numerically_equal, numerically_equal_within, substitute,
+};
+
+use crate::algebra::names::Names;
+use crate::structure::equations::{Coordinate, CoordinateKind, Equation};
+use crate::structure::polynomials::Polynomials;
+use crate::structure::{distance, equations, polynomials};
+
+/// Terms that differ by less than this share cancel: a thousand roundings. Dimensions that are
+/// written with nine digits and differ by less than a roundoff of these stay different.
+const CANCELLED: f64 = 1e-13;
+
+/// An equation and its rows as polynomials in all coordinates, if they are polynomials.
+#[derive(Clone, Debug)]
+pub(crate) struct Expanded<'m> {
+    pub(crate) equation: Equation<'m>,
+    polynomials: Option<Polynomials<'m>>,
+    /// The coordinates that it contains.
+    pub(crate) contained: Vec<usize>,
+}
+
+impl<'m> Expanded<'m> {
+    pub(crate) fn new(
+        names: &Names<'m>,
+        equation: Equation<'m>,
+        coordinates: &[Coordinate],
+    ) -> Self {
+        let polynomials = polynomials::polynomials(names, &equation.rows, coordinates);
+        let contained = equations::incidence(names, &equation, coordinates);
+        Self {
+            equation,
+            polynomials,
+            contained,
+        }
+    }
+}
+
+/// Returns an equation without the terms that cancel in it, if it contains fewer coordinates then.
+pub(crate) fn without_cancelled<'m>(
+    names: &Names<'m>,
+    target: &Expanded<'m>,
+    coordinates: &[Coordinate],
+) -> Option<Expanded<'m>> {
+    let polynomials = target.polynomials.clone()?;
+    let fewer = target.contained.len().saturating_sub(1);
+    with_at_most(names, target, polynomials, coordinates, fewer)
+}
+
+/// Returns an equation less multiples of another one, each with at most `most` coordinates.
+pub(crate) fn differences<'m>(
+    names: &Names<'m>,
+    target: &Expanded<'m>,
+    other: &Expanded<'m>,
+    coordinates: &[Coordinate],
+    most: usize,
+) -> Vec<Expanded<'m>> {
+    let (Some(minuend), Some(subtrahend)) = (&target.polynomials, &other.polynomials) else {
+        return Vec::new();
+    };
+    if minuend.rows.len() != subtrahend.rows.len() || minuend.rows.len() > 2 {
+        return Vec::new();
+    }
+    let mut ratios: Vec<Vec<Ex<'m>>> = Vec::new();
+    for &k in &target.contained {
+        let range = symbol_range(names, coordinates, k);
+        let Some(ratio) = ratio(minuend, subtrahend, range.clone()) else {
+            continue;
+        };
+        if !ratios.contains(&ratio) && cancels(minuend, subtrahend, &ratio, range) {
+            ratios.push(ratio);
+        }
+    }
+    let multiples = ratios.iter().filter_map(|ratio| {
+        let difference = subtracted(minuend, subtrahend, ratio);
+        let mut difference = with_at_most(names, target, difference, coordinates, most)?;
+        difference.equation.absorb(&other.equation, &[]);
+        Some(difference)
+    });
+    multiples.collect()
+}
+
+/// Returns a scalar equation in which an angle is replaced by the rest of a vector loop that
+/// contains it, with at most `most` coordinates.
+pub(crate) fn replacements<'m>(
+    names: &Names<'m>,
+    target: &Expanded<'m>,
+    other: &Expanded<'m>,
+    coordinates: &[Coordinate],
+    most: usize,
+) -> Vec<Expanded<'m>> {
+    let Some(loop_rows) = &other.polynomials else {
+        return Vec::new();
+    };
+    let [row] = target.equation.rows[..] else {
+        return Vec::new();
+    };
+    // A distance is solved as a link, not by its square.
+    if loop_rows.rows.len() != 2 || distance::distance(names, row, coordinates).is_some() {
+        return Vec::new();
+    }
+    let common = target
+        .contained
+        .iter()
+        .filter(|k| other.contained.contains(k));
+    let replaced = common.filter_map(|&k| {
+        let CoordinateKind::Angle(angle) = coordinates[k].kind else {
+            return None;
+        };
+        let mut rest = loop_rows.clone();
+        let rotor = polynomials::take_rotor(names, &mut rest, angle, &[])?;
+        let range = symbol_range(names, coordinates, k);
+        let alone = range.clone().all(|symbol| !rest.mention(symbol));
+        if !alone || !rotor.z.is_fixed() || rotor.z.is_zero() {
+            return None;
+        }
+        let [x, y] = rest.expressions(names.graph)[..] else {
+            return None;
+        };
+        let turned = (-Vector([x, y])).turned_back(rotor.z);
+        let [cos, sin] = if rotor.sense < 0.0 {
+            turned.conjugate().0
+        } else {
+            turned.0
+        };
+        let symbols = &names.angles[angle];
+        let map: Map<_, _> = [(symbols.cos, cos), (symbols.sin, sin)]
+            .into_iter()
+            .collect();
+        let rows = substitute(&target.equation.rows, &map);
+        let polynomials = polynomials::polynomials(names, &rows, coordinates)?;
+        let mut replaced = with_at_most(names, target, polynomials, coordinates, most)?;
+        replaced.equation.absorb(&other.equation, &[]);
+        Some(replaced)
+    });
+    replaced.collect()
+}
+
+/// The equations of a vector loop across the guide of a slide, without the slide, and along it.
+pub(crate) struct AcrossAndAlong<'m> {
+    pub(crate) across: Expanded<'m>,
+    pub(crate) along: Expanded<'m>,
+}
+
+/// Splits a vector loop by the guide of its slide `slide`.
+pub(crate) fn split<'m>(
+    names: &Names<'m>,
+    target: &Expanded<'m>,
+    slide: usize,
+    coordinates: &[Coordinate],
+) -> Option<AcrossAndAlong<'m>> {
+    let polynomials = target.polynomials.as_ref()?;
+    let CoordinateKind::Length(symbol) = coordinates[slide].kind else {
+        return None;
+    };
+    let [x, y] = target.equation.rows[..] else {
+        return None;
+    };
+    let first = polynomials::first_symbol(names, coordinates, slide);
+    let guide: V2 = Vector(polynomials.slope(names.graph, first)?.try_into().ok()?);
+    let rows = Vector([x, y]);
+    let row = |row: Ex<'m>| {
+        let equation = Equation {
+            rows: vec![row],
+            relation: None,
+            ..target.equation.clone()
+        };
+        Expanded::new(names, equation, coordinates)
+    };
+    let across = row(guide.cross(rows));
+    let across = without_cancelled(names, &across, coordinates).unwrap_or(across);
+    let symbol = names.graph.ex(names.graph.symbol_node(symbol));
+    let rest = rows - symbol * guide;
+    let factor = if guide.is_unit() {
+        names.one()
+    } else {
+        guide.square()
+    };
+    let is_free = !across.contained.contains(&slide);
+    is_free.then(|| AcrossAndAlong {
+        across,
+        along: row(factor * symbol + guide.dot(rest)),
+    })
+}
+
+/// Returns the positions of a coordinate's symbols among those of polynomials.
+fn symbol_range(
+    names: &Names<'_>,
+    coordinates: &[Coordinate],
+    index: usize,
+) -> std::ops::Range<usize> {
+    let first = polynomials::first_symbol(names, coordinates, index);
+    first..first + equations::symbols(names, &coordinates[index]).len()
+}
+
+fn mentions(monomial: &Monomial, mut range: std::ops::Range<usize>) -> bool {
+    range.any(|symbol| monomial[symbol] > 0)
+}
+
+/// Returns the coefficients of a monomial, one for each row.
+fn column<'m>(polynomials: &Polynomials<'m>, monomial: &Monomial) -> Option<Vec<Ex<'m>>> {
+    let found: Vec<Option<Ex<'m>>> = polynomials
+        .rows
+        .iter()
+        .map(|row| row.get(monomial).copied())
+        .collect();
+    let zero = found.iter().flatten().next()?.number(0.0);
+    Some(found.into_iter().map(|x| x.unwrap_or(zero)).collect())
+}
+
+/// Returns the multiple of the second equation with the same first term in the symbols of `range`:
+/// 1, -1, or a quotient that is known before a call. That of two rows is a complex number.
+fn ratio<'m>(
+    minuend: &Polynomials<'m>,
+    subtrahend: &Polynomials<'m>,
+    range: std::ops::Range<usize>,
+) -> Option<Vec<Ex<'m>>> {
+    let mut monomials = minuend.rows.iter().flat_map(|row| row.keys());
+    let first = monomials.find(|monomial| mentions(monomial, range.clone()))?;
+    let (a, b) = (column(minuend, first)?, column(subtrahend, first)?);
+    let number = |x: f64| a[0].number(x);
+    let alike = |sign: f64| {
+        let pairs = a.iter().zip(&b);
+        pairs.into_iter().all(|(&a, &b)| equal(a, number(sign) * b))
+    };
+    let zero = || vec![number(0.0); a.len() - 1];
+    for sign in [1.0, -1.0] {
+        if alike(sign) {
+            return Some([vec![number(sign)], zero()].concat());
+        }
+    }
+    let is_fixed = a.iter().chain(&b).all(|x| x.is_fixed());
+    if !is_fixed {
+        let mut pairs = a.iter().zip(&b);
+        let factor = pairs.find_map(|(&a, &b)| ratio_of_terms(a, b))?;
+        return Some([vec![factor], zero()].concat());
+    }
+    match (&a[..], &b[..]) {
+        (&[a], &[b]) => Some(vec![a / b]),
+        (&[x, y], &[u, v]) => Some(Vector([x, y]).turned_back(Vector([u, v])).0.to_vec()),
+        _ => None,
+    }
+}
+
+/// Returns the ratio of the first term of a sum to the same term of another one, or that of two
+/// values that are known before a call.
+pub(crate) fn ratio_of_terms<'m>(a: Ex<'m>, b: Ex<'m>) -> Option<Ex<'m>> {
+    if a.is_fixed() && b.is_fixed() {
+        return (!b.is_zero()).then(|| a / b);
+    }
+    let (factor, term) = *moving_and_fixed(a).0.first()?;
+    let (others, _) = moving_and_fixed(b);
+    let (divisor, _) = others.into_iter().find(|(_, other)| *other == term)?;
+    Some(factor / divisor)
+}
+
+/// Returns the coefficients of a monomial in a multiple of an equation.
+fn multiple<'m>(coefficients: &[Ex<'m>], ratio: &[Ex<'m>]) -> Vec<Ex<'m>> {
+    match (coefficients, ratio) {
+        (&[x, y], &[u, v]) => Vector([x, y]).turned(Vector([u, v])).0.to_vec(),
+        _ => coefficients.iter().map(|&x| ratio[0] * x).collect(),
+    }
+}
+
+/// Returns the coefficients of a monomial in the difference, 0 where they cancel.
+fn difference_of_columns<'m>(
+    minuend: &Polynomials<'m>,
+    subtrahend: &Polynomials<'m>,
+    ratio: &[Ex<'m>],
+    monomial: &Monomial,
+) -> Vec<Ex<'m>> {
+    let Some(b) = column(subtrahend, monomial) else {
+        return column(minuend, monomial).unwrap_or_default();
+    };
+    let b = multiple(&b, ratio);
+    let Some(a) = column(minuend, monomial) else {
+        return b.into_iter().map(|x| -x).collect();
+    };
+    a.into_iter()
+        .zip(b)
+        .map(|(a, b)| difference(a, b))
+        .collect()
+}
+
+/// True if all terms in the symbols of `range` cancel.
+fn cancels<'m>(
+    minuend: &Polynomials<'m>,
+    subtrahend: &Polynomials<'m>,
+    ratio: &[Ex<'m>],
+    range: std::ops::Range<usize>,
+) -> bool {
+    let rows = minuend.rows.iter().chain(&subtrahend.rows);
+    let mut monomials = rows.flat_map(|row| row.keys());
+    monomials.all(|monomial| {
+        !mentions(monomial, range.clone())
+            || difference_of_columns(minuend, subtrahend, ratio, monomial)
+                .iter()
+                .all(|x| x.is_zero())
+    })
+}
+
+fn subtracted<'m>(
+    minuend: &Polynomials<'m>,
+    subtrahend: &Polynomials<'m>,
+    ratio: &[Ex<'m>],
+) -> Polynomials<'m> {
+    let mut result = minuend.clone();
+    let rows = minuend.rows.iter().chain(&subtrahend.rows);
+    let mut monomials: Vec<&Monomial> = rows.flat_map(|row| row.keys()).collect();
+    monomials.sort();
+    monomials.dedup();
+    for monomial in monomials {
+        let column = difference_of_columns(minuend, subtrahend, ratio, monomial);
+        for (row, coefficient) in result.rows.iter_mut().zip(column) {
+            row.insert(monomial.clone(), coefficient);
+        }
+    }
+    result
+}
+
+/// Returns an equation with other rows, if these contain at most `most` coordinates.
+fn with_at_most<'m>(
+    names: &Names<'m>,
+    target: &Expanded<'m>,
+    mut polynomials: Polynomials<'m>,
+    coordinates: &[Coordinate],
+    most: usize,
+) -> Option<Expanded<'m>> {
+    let zero = names.zero();
+    for row in &mut polynomials.rows {
+        row.retain(|_, coefficient| !numerically_equal(*coefficient, zero));
+    }
+    let contained: Vec<usize> = (0..coordinates.len())
+        .filter(|&k| symbol_range(names, coordinates, k).any(|symbol| polynomials.mention(symbol)))
+        .collect();
+    if contained.len() > most || contained.is_empty() {
+        return None;
+    }
+    let equation = Equation {
+        rows: polynomials.expressions(names.graph),
+        relation: None,
+        distance: None,
+        ..target.equation.clone()
+    };
+    Some(Expanded {
+        equation,
+        polynomials: Some(polynomials),
+        contained,
+    })
+}
+
+fn equal<'m>(a: Ex<'m>, b: Ex<'m>) -> bool {
+    numerically_equal_within(a, b, CANCELLED)
+}
+
+/// `a - b`, without the terms that both contain.
+fn difference<'m>(a: Ex<'m>, b: Ex<'m>) -> Ex<'m> {
+    let zero = a.number(0.0);
+    if equal(a, b) {
+        return zero;
+    }
+    let (mut terms, first) = moving_and_fixed(a);
+    let (others, second) = moving_and_fixed(b);
+    let mut is_shared = !first.is_zero() && !second.is_zero();
+    for (factor, term) in others {
+        match terms.iter_mut().find(|(_, other)| *other == term) {
+            Some((sum, _)) => {
+                is_shared = true;
+                *sum = less(*sum, factor);
+            }
+            None => terms.push((-factor, term)),
+        }
+    }
+    if !is_shared {
+        return a - b;
+    }
+    terms.retain(|(factor, _)| !factor.is_zero());
+    let terms = terms.into_iter().map(|(factor, term)| factor * term);
+    let fixed = less(first, second);
+    match terms.reduce(|sum, term| sum + term) {
+        Some(sum) => sum + fixed,
+        None => fixed,
+    }
+}
+
+/// The difference of two factors, 0 if it is rounding.
+fn less<'m>(a: Ex<'m>, b: Ex<'m>) -> Ex<'m> {
+    if equal(a, b) { a.number(0.0) } else { a - b }
+}
+
+/// The terms of a sum that are known in a call, with their factors, and the sum of the others.
+/// Sums that are multiplied as a whole stay whole: they are shared with other loops.
+fn moving_and_fixed<'m>(sum: Ex<'m>) -> (Vec<(Ex<'m>, Ex<'m>)>, Ex<'m>) {
+    let one = sum.number(1.0);
+    let ex = |id| sum.graph().ex(id);
+    let mut fixed = sum.number(0.0);
+    let mut moving = Vec::new();
+    let mut open = vec![(one, sum)];
+    while let Some((factor, x)) = open.pop() {
+        match x.node() {
+            _ if x.is_fixed() => fixed += factor * x,
+            Node::Unary(Unary::Neg, a) => open.push((-factor, ex(a))),
+            Node::Binary(Binary::Add, a, b) => open.extend([(factor, ex(b)), (factor, ex(a))]),
+            Node::Binary(Binary::Sub, a, b) => open.extend([(-factor, ex(b)), (factor, ex(a))]),
+            Node::Binary(Binary::Mul, a, b) if ex(a).is_fixed() => {
+                moving.push((factor * ex(a), ex(b)));
+            }
+            _ => moving.push((factor, x)),
+        }
+    }
+    (moving, fixed)
+}

@@ -1,0 +1,446 @@
+//! Mechanisms in two spellings: loops as a drawing gives them, and loops as an expert writes them. Both have the same
+//! groups, the same operations and the same positions.
+
+use linkage_compiler::trace::trace;
+use linkage_engine::Mechanism;
+
+/// Results of both spellings differ by roundings of a mechanism of some hundred millimetres.
+const ROUNDING: f64 = 1e-12 * 300.0;
+
+/// The operations that a function may take besides those of the short spelling: terms come in another order.
+const FURTHER: u32 = 4;
+
+/// A mechanism with loops in two spellings.
+struct Pair<'t> {
+    /// Items that both have.
+    items: &'t str,
+    drawn: &'t str,
+    short: &'t str,
+    /// The positions that are compared.
+    fields: &'t str,
+    /// A quantity whose velocity is compared.
+    rate: &'t str,
+    /// The numbers of assemblies of both spellings at the reference.
+    assemblies: [usize; 2],
+}
+
+/// The text with one of the spellings.
+fn text(pair: &Pair, loops: &str) -> String {
+    let items = format!("{} {loops}", pair.items);
+    let inputs = items.split("input ").skip(1);
+    let inputs: Vec<&str> = inputs
+        .filter_map(|input| input.split_whitespace().next())
+        .collect();
+    let (inputs, Pair { fields, rate, .. }) = (inputs.join(", "), pair);
+    format!(
+        "pub struct M {{ unit mm; {items} }}
+         impl M {{
+             pub fn position({inputs}) -> Position {{ {fields} }}
+             pub fn rates({inputs}) -> Rates {{ v: velocity({rate}) }}
+         }}"
+    )
+}
+
+/// The forms of the groups, in order.
+fn groups(text: &str) -> Vec<String> {
+    let trace = trace(text.parse().expect("tokens"));
+    assert_eq!(trace.messages, Vec::<String>::new(), "{text}");
+    let lines = trace.structure.lines();
+    let forms = lines.filter_map(|line| {
+        let (_, group) = line.strip_prefix("loops")?.split_once(": ")?;
+        Some(group.split_once(" for")?.0.to_owned())
+    });
+    forms.collect()
+}
+
+/// The arguments at some positions of the ranges.
+fn positions(mechanism: &Mechanism) -> Vec<Vec<f64>> {
+    let shares = [0.5, 0.04, 0.31, 0.77, 0.96];
+    let position = |step: usize| {
+        let inputs = mechanism.compiled().inputs.iter().enumerate();
+        let inputs = inputs.map(|(index, input)| {
+            let (low, high) = input.range.expect("a range");
+            low + (high - low) * shares[(step + index) % shares.len()]
+        });
+        inputs.collect()
+    };
+    (0..shares.len()).map(position).collect()
+}
+
+#[track_caller]
+fn alike(pair: &Pair) {
+    let [drawn, short] = [pair.drawn, pair.short].map(|loops| text(pair, loops));
+    assert_eq!(groups(&drawn), groups(&short), "{drawn}");
+    let compiled =
+        |text: &str| Mechanism::compile(text).unwrap_or_else(|error| panic!("{text}: {error}"));
+    let [drawn_mechanism, short_mechanism] = [&drawn, &short].map(|text| compiled(text));
+    let counts = [&drawn_mechanism, &short_mechanism].map(|mechanism| {
+        let functions = mechanism.compiled().functions.iter();
+        functions
+            .map(|function| function.called.count.total())
+            .collect::<Vec<u32>>()
+    });
+    let mut pairs = counts[0].iter().zip(&counts[1]);
+    assert!(
+        pairs.all(|(drawn, short)| *drawn <= short + FURTHER),
+        "{counts:?}: {drawn}"
+    );
+
+    let dimensions = [&drawn_mechanism, &short_mechanism].map(|mechanism| mechanism.dimensions());
+    let assemblies = |mechanism: &Mechanism, dimensions: &[f64]| {
+        let all = mechanism.assemblies(dimensions, &mechanism.reference());
+        all.expect("it can be assembled").len()
+    };
+    let numbers = [
+        assemblies(&drawn_mechanism, &dimensions[0]),
+        assemblies(&short_mechanism, &dimensions[1]),
+    ];
+    assert_eq!(numbers, pair.assemblies, "{drawn}");
+    let assemble = |mechanism, dimensions| {
+        Mechanism::assemble(mechanism, dimensions).expect("it can be assembled")
+    };
+    let first = assemble(&drawn_mechanism, &dimensions[0]);
+    let second = assemble(&short_mechanism, &dimensions[1]);
+    for position in positions(&drawn_mechanism) {
+        for function in [0, 1] {
+            let [a, b] = [&first, &second].map(|assembled| assembled.call(function, &position));
+            for (a, b) in a.into_iter().zip(b) {
+                assert!(
+                    (a - b).abs() <= ROUNDING,
+                    "{a} and {b} at {position:?}: {drawn}"
+                );
+            }
+        }
+    }
+}
+
+/// A bar on a crank and a rocker.
+const BAR: &str = "input phi = 90deg in 90deg..450deg; input s = 230mm in 200mm..260mm;
+    let a = (0mm, 100mm) + polar(20mm, phi);
+    unknown tb = -2deg; unknown tr = 90deg;
+    loop a + polar(250mm, tb) = (250mm, 20mm) + polar(80mm, tr);";
+
+/// A plate on that bar, held by a rod.
+const PLATE: &str = "unknown p = (60mm, 120mm); unknown t = -2deg;
+    let q = p + rotate((30mm, 70mm), t);
+    loop distance(q, (s, 60mm)) = 190mm;";
+
+/// Half a turn of the plate is another assembly, of which the short spelling knows nothing.
+fn pins(pins: &str, short: &str) {
+    alike(&Pair {
+        items: &format!("{BAR} {PLATE}"),
+        drawn: pins,
+        short,
+        fields: "p, q",
+        rate: "q",
+        assemblies: [8, 4],
+    });
+}
+
+#[test]
+fn two_pins_of_one_plate_in_a_slot_give_its_angle() {
+    let short = "loop dot(p - a, dir(tb + 90deg)) = 0; loop t = tb;";
+    for drawn in [
+        "loop dot(p - a, dir(tb + 90deg)) = 0; loop dot(p + polar(60mm, t) - a, dir(tb + 90deg)) = 0;",
+        "loop dot(p - a, dir(tb + 90deg)) = 0; loop 0 = dot(a - p - polar(60mm, t), dir(tb + 90deg));",
+        "loop dot(p - a, dir(tb + 90deg)) = 0; loop dot(dir(tb - 90deg), polar(60mm, t) + (p - a)) = 0;",
+        "loop dot(p - a, dir(tb + 90deg)) = 0; loop dot(a + polar(60mm, t + 180deg) - p, dir(tb + 90deg)) = 0;",
+        "loop dot(p - a, dir(tb + 90deg)) = 0; loop cross(dir(tb), p + polar(60mm, t) - a) = 0;",
+        "loop dot(p - a, dir(tb + 90deg)) = 0; loop dot(p - a, dir(tb + 90deg)) = 60mm * sin(tb - t);",
+        "loop dot(p - a, dir(tb + 90deg)) = 0; loop 2 * dot(p + polar(60mm, t) - a, dir(tb + 90deg)) = 0;",
+    ] {
+        pins(drawn, short);
+    }
+}
+
+#[test]
+fn pins_in_slots_of_all_places() {
+    // The plate's own axes, and the slot at an angle to the bar.
+    pins(
+        "loop dot(p - a, dir(tb + 95deg)) = 0; loop dot(p + polar(60mm, t) - a, dir(tb + 95deg)) = 0;",
+        "loop dot(p - a, dir(tb + 95deg)) = 0; loop t = tb + 5deg;",
+    );
+    pins(
+        "loop dot(p - a, dir(tb + 90deg)) = 0; loop dot(p + rotate((60mm, 5mm), t) - a, dir(tb + 90deg)) = 0;",
+        "loop dot(p - a, dir(tb + 90deg)) = 0; loop t = tb - atan(5 / 60);",
+    );
+    // A slot beside the pins' first one.
+    pins(
+        "loop dot(p - a, dir(tb + 90deg)) = 4mm; loop dot(p + polar(60mm, t) - a, dir(tb + 90deg)) = 4mm;",
+        "loop dot(p - a, dir(tb + 90deg)) = 4mm; loop t = tb;",
+    );
+    // The slot on the crank, and on the frame.
+    for (slot, angle) in [
+        ("phi", "phi"),
+        ("phi - 10deg", "phi - 10deg"),
+        ("15deg", "15deg"),
+    ] {
+        alike(&Pair {
+            items: &format!(
+                "input phi = 30deg in 20deg..35deg; input s = 230mm in 220mm..240mm;
+                 unknown p = (60mm, 40mm); unknown t = 40deg;
+                 let q = p + rotate((30mm, 70mm), t);
+                 loop distance(q, (s, 60mm)) = 190mm;
+                 loop dot(p, dir({slot} + 90deg)) = 0;"
+            ),
+            drawn: &format!("loop dot(p + polar(60mm, t), dir({slot} + 90deg)) = 0;"),
+            short: &format!("loop t = {angle};"),
+            fields: "p, q, crank: polar(10mm, phi)",
+            rate: "q",
+            assemblies: [4, 2],
+        });
+    }
+}
+
+#[test]
+fn a_pin_of_a_third_link_in_the_slot() {
+    // The second pin is the end of a rod whose other end is a joint of the plate.
+    alike(&Pair {
+        items: &format!(
+            "{BAR} {PLATE} unknown k = 32deg; unknown m = 82deg;
+             let r = p + polar(60mm, t);
+             loop dot(p - a, dir(tb + 90deg)) = 0;
+             loop r + polar(70mm, k) = (150mm, 20mm) + polar(130mm, m);"
+        ),
+        drawn: "loop dot((150mm, 20mm) + polar(130mm, m) - polar(70mm, k) - a, dir(tb + 90deg)) = 0;",
+        short: "loop t = tb;",
+        fields: "p, q, r",
+        rate: "r",
+        assemblies: [10, 4],
+    });
+}
+
+#[test]
+fn several_plates_in_one_slot() {
+    alike(&Pair {
+        items: &format!(
+            "{BAR} {PLATE} unknown p2 = (150mm, 105mm); unknown t2 = -2deg;
+             let q2 = p2 + rotate((10mm, 60mm), t2);
+             loop distance(q, q2) = 90mm;
+             loop dot(p - a, dir(tb + 90deg)) = 0; loop dot(p2 - a, dir(tb + 90deg)) = 0;"
+        ),
+        drawn: "loop dot(p + polar(60mm, t) - a, dir(tb + 90deg)) = 0;
+                loop dot(p2 + polar(40mm, t2) - a, dir(tb + 90deg)) = 0;",
+        short: "loop t = tb; loop t2 = tb;",
+        fields: "p, q, p2, q2",
+        rate: "q2",
+        assemblies: [16, 8],
+    });
+}
+
+/// A slide for each pin: the loop of the second one gives its slide, which nothing else contains, and the angle.
+#[test]
+fn half_of_a_vector_loop_gives_a_slide_only() {
+    for drawn in [
+        "loop p = a + polar(s1, tb); loop p + polar(60mm, t) = a + polar(s2, tb);",
+        "loop a - p + polar(s1, tb) = (0mm, 0mm); loop a + polar(s2, tb) - polar(60mm, t) = p;",
+        "loop a + polar(s2, tb) = polar(60mm, t) + p; loop p - polar(s1, tb) = a;",
+    ] {
+        alike(&Pair {
+            items: &format!("{BAR} {PLATE} unknown s1 = 60mm; unknown s2 = 120mm;"),
+            drawn,
+            short: "loop t = tb; loop p = a + polar(s1, tb); loop s2 = dot(p + polar(60mm, t) - a, dir(tb));",
+            fields: "p, q, s1, s2",
+            rate: "s2",
+            assemblies: [8, 4],
+        });
+    }
+}
+
+/// A plate with a slot on two pins, one of them on a lever.
+const SLOTTED: &str =
+    "input stroke1 = 149mm in 125mm..190mm; input stroke2 = 189mm in 120mm..260mm;
+    unknown k = 169deg;
+    let c3 = (298mm, -240.75mm);
+    let c4 = (398mm, -253mm) + polar(44.86mm, k);
+    let c14 = (398mm, -253mm) + polar(45.04mm, k + 103.8deg);
+    loop distance((549mm, -298mm), c14) = stroke1;
+    unknown c0 = (240mm, -240mm); unknown t = 19deg;
+    let c1 = c0 + polar(117.65mm, t);
+    loop distance((538.5mm, -197mm), c1) = stroke2;";
+
+#[test]
+fn a_slot_of_one_plate_on_two_pins_gives_its_angle() {
+    for (drawn, short) in [
+        (
+            "loop dot(c3 - c0, dir(t + 67deg)) = 0; loop dot(c4 - c0, dir(t + 67deg)) = 0;",
+            "t + 67deg",
+        ),
+        (
+            "loop dot(c0 - c3, dir(t + 67deg)) = 0; loop dot(c4 - c0, dir(t + 67deg)) = 0;",
+            "t + 67deg",
+        ),
+        (
+            "loop dot(c3 - c0, dir(t + 67deg)) = 0; loop 0 = dot(dir(t - 113deg), c4 - c0);",
+            "t + 67deg",
+        ),
+        (
+            "loop cross(c3 - c0, dir(t - 23deg)) = 0; loop cross(c4 - c0, dir(t - 23deg)) = 0;",
+            "t + 67deg",
+        ),
+        (
+            "loop dot(c3 - c0, dir(t + 67deg)) = 0; loop cross(dir(t - 23deg), c4 - c0) = 0;",
+            "t + 67deg",
+        ),
+        (
+            "loop dot(c4 - c0, dir(t + 67deg)) = 0; loop dot(c3 - c0, dir(t + 67deg)) = 0;",
+            "t + 67deg",
+        ),
+    ] {
+        alike(&Pair {
+            items: SLOTTED,
+            drawn,
+            short: &format!(
+                "loop dot(c3 - c0, dir({short})) = 0; loop dot(c4 - c3, dir({short})) = 0;"
+            ),
+            fields: "c0, c1, c4, angle: t",
+            rate: "c1",
+            assemblies: [8, 8],
+        });
+    }
+}
+
+/// A bell crank on a hanger from a rod.
+const BELL_CRANK: &str = "input phi = 60deg in 0deg..360deg; input stroke = 150mm in 140mm..170mm;
+    let a = polar(20mm, phi); let pivot = (180mm, 100mm);
+    unknown k = 0deg; unknown h = 90deg; unknown b = 0deg;
+    let c = a + polar(200mm, k); let d = c + polar(100mm, h);";
+
+#[test]
+fn a_point_written_the_long_way_round_a_loop() {
+    let closed = "loop d = pivot + polar(60mm, b);";
+    let end = "loop distance(pivot + polar(80mm, b + 180deg), (100mm, 250mm)) = stroke;";
+    for (first, drawn) in [
+        (
+            closed,
+            "loop distance(d - polar(60mm, b) + polar(80mm, b + 180deg), (100mm, 250mm)) = stroke;",
+        ),
+        (
+            closed,
+            "loop stroke = distance((100mm, 250mm), d - polar(140mm, b));",
+        ),
+        (
+            "loop pivot + polar(60mm, b) - d = (0mm, 0mm);",
+            "loop distance(c + polar(100mm, h) - polar(140mm, b), (100mm, 250mm)) = stroke;",
+        ),
+        (
+            "loop c = pivot + polar(60mm, b) - polar(100mm, h);",
+            "loop distance(d - polar(140mm, b), (100mm, 250mm)) = stroke;",
+        ),
+        (
+            "loop a + polar(200mm, k) + polar(100mm, h) - polar(60mm, b) = pivot;",
+            "loop norm((100mm, 250mm) - d + polar(140mm, b)) = stroke;",
+        ),
+    ] {
+        alike(&Pair {
+            items: BELL_CRANK,
+            drawn: &format!("{first} {drawn}"),
+            short: &format!("{first} {end}"),
+            fields: "c, d, angle: b",
+            rate: "d",
+            assemblies: [4, 4],
+        });
+    }
+    let square = |end: &str| {
+        format!("{closed} let e = {end} - (100mm, 250mm); loop dot(e, e) = stroke * stroke;")
+    };
+    alike(&Pair {
+        items: BELL_CRANK,
+        drawn: &square("d - polar(140mm, b)"),
+        short: &square("pivot - polar(80mm, b)"),
+        fields: "c, d",
+        rate: "d",
+        assemblies: [4, 4],
+    });
+    // A guide instead of a cylinder, and a rod to a rocker.
+    alike(&Pair {
+        items: BELL_CRANK,
+        drawn: &format!("{closed} loop dot(d - polar(140mm, b), dir(20deg)) = stroke;"),
+        short: &format!("{closed} loop dot(pivot + polar(80mm, b + 180deg), dir(20deg)) = stroke;"),
+        fields: "c, d",
+        rate: "d",
+        assemblies: [4, 4],
+    });
+    alike(&Pair {
+        items: &format!("{BELL_CRANK} unknown r = 60deg; unknown g = 0deg;"),
+        drawn: &format!(
+            "{closed} loop d - polar(140mm, b) + polar(70mm, r) = (60mm, 100mm) + polar(stroke / 2, g); loop r = 2 * b + 70deg;"
+        ),
+        short: &format!(
+            "{closed} loop pivot - polar(80mm, b) + polar(70mm, r) = (60mm, 100mm) + polar(stroke / 2, g); loop r = 2 * b + 70deg;"
+        ),
+        fields: "c, d",
+        rate: "d",
+        assemblies: [4, 4],
+    });
+}
+
+#[test]
+fn two_legs_of_a_triad_in_one_joint() {
+    let legs = "input phi = 60deg in 50deg..70deg; let a = polar(30mm, phi);
+        unknown u = 10deg; unknown t1 = 70deg; unknown t2 = 120deg; unknown t3 = 95deg;";
+    let short = "loop a + polar(90mm, t1) = (90mm, 0mm) + polar(80mm, t2);
+        loop (90mm, 0mm) + polar(80mm, t2) + polar(100mm, u) = (170mm, 10mm) + polar(85mm, t3);";
+    for drawn in [
+        "loop a + polar(90mm, t1) + polar(100mm, u) = (170mm, 10mm) + polar(85mm, t3);
+         loop (90mm, 0mm) + polar(80mm, t2) + polar(100mm, u) = (170mm, 10mm) + polar(85mm, t3);",
+        "loop (170mm, 10mm) + polar(85mm, t3) - polar(100mm, u) - a = polar(90mm, t1);
+         loop (90mm, 0mm) + polar(80mm, t2) + polar(100mm, u) = (170mm, 10mm) + polar(85mm, t3);",
+        "loop a + polar(90mm, t1) - polar(100mm, u + 180deg) = (170mm, 10mm) + polar(85mm, t3);
+         loop (90mm, 0mm) + polar(80mm, t2) + polar(100mm, u) = (170mm, 10mm) + polar(85mm, t3);",
+        "loop a + polar(90mm, t1) + polar(40mm, u) + polar(60mm, u) = (170mm, 10mm) + polar(85mm, t3);
+         loop polar(80mm, t2) + polar(100mm, u) = (80mm, 10mm) + polar(85mm, t3);",
+    ] {
+        alike(&Pair {
+            items: legs,
+            drawn,
+            short,
+            fields: "angle: u, end: (90mm, 0mm) + polar(80mm, t2)",
+            rate: "u",
+            assemblies: [4, 4],
+        });
+    }
+}
+
+/// The joint of two legs is a point of the plate without a name.
+#[test]
+fn two_legs_by_distances_in_one_joint_of_a_plate() {
+    let plate = "input phi = 60deg in 50deg..70deg; let a = polar(30mm, phi);";
+    let text = |items: &str| {
+        format!(
+            "pub struct M {{ unit mm; {plate} {items} }}
+             impl M {{ pub fn f(phi) -> F {{ p, end, v: velocity(end) }} }}"
+        )
+    };
+    let drawn = text(
+        "unknown p = (30mm, 70mm); unknown u = 10deg;
+         let joint = p + polar(50mm, u + 30deg); let end = p + polar(140mm, u);
+         loop distance(a, joint) = 90mm; loop distance((90mm, 0mm), joint) = 80mm;
+         loop distance((170mm, 10mm), end) = 85mm;",
+    );
+    let short = text(
+        "unknown joint = (70mm, 90mm); unknown u = 10deg;
+         let p = joint - polar(50mm, u + 30deg); let end = p + polar(140mm, u);
+         loop distance(a, joint) = 90mm; loop distance((90mm, 0mm), joint) = 80mm;
+         loop distance((170mm, 10mm), end) = 85mm;",
+    );
+    let [drawn, short] = [drawn, short].map(|text| Mechanism::compile(&text).expect("a mechanism"));
+    let kinds = |mechanism: &Mechanism| -> Vec<String> {
+        let groups = mechanism.compiled().groups.iter();
+        groups.map(|group| group.kind.clone()).collect()
+    };
+    assert_eq!(kinds(&drawn), ["RRR", "RRR"]);
+    assert_eq!(kinds(&short), kinds(&drawn));
+    let dimensions = drawn.dimensions();
+    let assembled =
+        [&drawn, &short].map(|one| one.assemble(&dimensions).expect("it can be assembled"));
+    for position in positions(&drawn) {
+        let [a, b] = [0, 1].map(|k| assembled[k].call(0, &position));
+        let mut pairs = a.iter().zip(&b);
+        assert!(pairs.all(|(a, b)| (a - b).abs() <= ROUNDING), "{a:?} {b:?}");
+    }
+    let reference = drawn.reference();
+    let all =
+        [&drawn, &short].map(|one| one.assemblies(&dimensions, &reference).expect("some").len());
+    assert_eq!(all[0], all[1]);
+}
