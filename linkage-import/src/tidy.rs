@@ -3,6 +3,7 @@
 
 use crate::document::{Document, FRAME, Input, InputKind, SlotPath};
 use crate::names::shown;
+use crate::number::rounded;
 
 /// Brings a document into these terms, with a remark or a warning for each change.
 pub(crate) fn tidy(document: &mut Document) {
@@ -12,6 +13,7 @@ pub(crate) fn tidy(document: &mut Document) {
     }
     check_slots(document);
     place_lines(document);
+    hold_wheels(document);
     mark_wheels(document);
     drop_short_links(document);
     drop_unused_joints(document);
@@ -168,6 +170,33 @@ fn place_lines(document: &mut Document) {
     }
 }
 
+/// A wheel that is fixed becomes a link that does not turn: the frame itself is no wheel.
+fn hold_wheels(document: &mut Document) {
+    let mut kept = Vec::new();
+    for mut pair in std::mem::take(&mut document.gears) {
+        let is_fixed = pair.wheels.map(|wheel| wheel == FRAME);
+        if is_fixed == [false, false] {
+            kept.push(pair);
+            continue;
+        }
+        let mut joints = document.links[pair.arm].joints.iter();
+        let pivot = joints.find(|joint| document.is_fixed(**joint)).copied();
+        let (Some(pivot), true) = (pivot, is_fixed != [true, true] && pair.arm != FRAME) else {
+            document
+                .warnings
+                .push("a pair of wheels cannot turn and is left out".to_owned());
+            continue;
+        };
+        let name = format!("wheel_{}", document.joints[pivot].name);
+        let link = document.add_link(name, vec![pivot]);
+        document.links[link].is_held = true;
+        let wheel = pair.wheels.iter_mut().find(|wheel| **wheel == FRAME);
+        wheel.into_iter().for_each(|wheel| *wheel = link);
+        kept.push(pair);
+    }
+    document.gears = kept;
+}
+
 /// Adds a point to wheels, cranks and guides that have only a pivot, so that they have a direction.
 fn mark_wheels(document: &mut Document) {
     /// The part of the largest distance that the point is away.
@@ -195,8 +224,7 @@ fn mark_wheels(document: &mut Document) {
         let [x, y] = document.joints[pivot].position;
         let distance = if size > 0.0 { PART * size } else { 1.0 };
         let name = format!("mark_{}", document.links[link].name);
-        let mark =
-            document.add_derived(name, [x + crate::number::rounded(distance, size * 1e-3), y]);
+        let mark = document.add_derived(name, [rounded(x + distance, size * 1e-3), y]);
         document.attach(mark, link);
     }
 }

@@ -79,6 +79,11 @@ impl System {
         for (index, link) in document.links.iter().enumerate() {
             if index != FRAME && !cylinders.contains(&index) {
                 builder.bodies[index] = Some(builder.system.centres.len());
+                if link.is_held {
+                    let body = Some(builder.system.centres.len());
+                    let angle = Equation::Angles(vec![(body, 1.0)], None);
+                    builder.system.equations.push(angle);
+                }
                 let centre = link.joints.first().map(|joint| builder.scaled(*joint));
                 builder.system.centres.push(centre.unwrap_or_default());
             }

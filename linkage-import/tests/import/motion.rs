@@ -225,6 +225,29 @@ fn wheels_turn_by_their_sizes() {
     }
 }
 
+/// A wheel on an anchor does not turn: another one in a chain with it keeps its angle.
+#[test]
+fn fixed_wheels_are_links() {
+    let file = "<linkage2><program units=\"Inches\"/>\
+        <connector id=\"0\" x=\"0\" y=\"0\" anchor=\"true\" input=\"true\" rpm=\"9\"/>\
+        <connector id=\"1\" x=\"96\" y=\"0\"/><connector id=\"2\" x=\"96\" y=\"48\"/>\
+        <Link id=\"0\"><connector id=\"0\"/><connector id=\"1\"/></Link>\
+        <Link id=\"1\" gear=\"true\" fastenconnector=\"0\"><connector id=\"0\"/></Link>\
+        <Link id=\"2\" gear=\"true\" fastenlink=\"3\"><connector id=\"1\"/></Link>\
+        <Link id=\"3\"><connector id=\"1\"/><connector id=\"2\"/></Link>\
+        <ratios><ratio type=\"chain\"><link id=\"1\" size=\"25\"/>\
+        <link id=\"2\" size=\"25\"/></ratio></ratios></linkage2>";
+    let text = crate::files::of_text(file, "wheels.linkage2").text;
+    let mechanism = Mechanism::compile(&text).unwrap_or_else(|error| panic!("{error}\n{text}"));
+    let assembly = mechanism.assemble(&mechanism.dimensions()).expect("wheels");
+    let [x, y] = assembly.results("points", &[0.5]).vector::<2>("c2");
+    let wanted = [0.5f64.cos(), 0.5f64.sin() + 0.5];
+    assert!(
+        (x - wanted[0]).hypot(y - wanted[1]) < 1e-12,
+        "({x}, {y})\n{text}"
+    );
+}
+
 /// Blocks, cylinders, driven slots and masses are items of the language.
 #[test]
 fn other_texts_compile() {
