@@ -1,7 +1,23 @@
-// The mechanisms of the tutorial: a crank, a four-bar, a six-bar with a dwell.
+// The mechanisms of the tutorial: a sketch, a crank, a four-bar, a six-bar with a dwell.
 
 linkage::mechanism! {
-    /// The first step: a bar that turns.
+    /// The first step: joints and links.
+    pub struct Sketch {
+        unit mm;
+        input phi = 30deg in 0deg..360deg;
+        joint o = (0mm, 0mm), a = (12.1mm, 7mm), b = (39mm, 20mm), p = (33mm, -15mm);
+        link frame: o, p;
+        link crank: o, a at phi length 14mm;
+        link coupler: a, b length 30mm;
+        link rocker: p, b length 36mm;
+    }
+    impl Sketch {
+        pub fn motion(phi) -> SketchMotion { b, psi: rocker.angle }
+    }
+}
+
+linkage::mechanism! {
+    /// The second step: a bar that turns.
     pub struct Crank {
         unit mm;
         param crank = 14mm;
@@ -15,7 +31,7 @@ linkage::mechanism! {
 }
 
 linkage::mechanism! {
-    /// The second step: a loop.
+    /// The third step: a loop.
     pub struct FourBar {
         unit mm;
         param crank = 14mm;

@@ -158,6 +158,12 @@ pub mod language {
         #![doc = include_str!("../docs/language/items.md")]
     }
 
+    /// Joints and links: the second way to write a mechanism.
+    pub mod links {
+        #![doc = include_str!("links.md")]
+        #![doc = include_str!("../docs/language/links.md")]
+    }
+
     /// Expressions: literals with units, functions, vectors; frames that follow bodies in space.
     pub mod expressions {
         #![doc = include_str!("links.md")]

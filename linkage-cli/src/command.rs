@@ -16,6 +16,7 @@ mod declaration;
 mod hold;
 mod import;
 mod js;
+mod loops;
 mod memory;
 mod new;
 mod output;
@@ -66,6 +67,8 @@ enum Command {
     Assemblies(assemblies::AtInputs),
     /// How far each assembly reaches over the range of the input
     Circuits(assemblies::Options),
+    /// The loops that joints and links stand for, as a text of the language
+    Loops(loops::Options),
     /// A header and a source in C99 for controllers
     C(c::Options),
     /// A module of JavaScript for pages, and its types
@@ -102,6 +105,7 @@ pub fn run() -> ExitCode {
         Command::Hold(options) => hold::run(options),
         Command::Assemblies(options) => assemblies::run(options),
         Command::Circuits(options) => assemblies::circuits(options),
+        Command::Loops(options) => loops::run(options),
         Command::C(options) => c::run(options),
         Command::Js(options) => js::run(options),
         Command::Rust(options) => rust::run(options),

@@ -105,5 +105,5 @@ fn the_tutorial_shows_what_is_printed() {
             _ => panic!("blocks in `{language}` are not tested"),
         }
     }
-    assert_eq!(count, 12);
+    assert_eq!(count, 14);
 }

@@ -115,6 +115,31 @@ pub fn check_all(body: TokenStream) -> Vec<Checked> {
     Driver::analyse(body).checked()
 }
 
+/// Returns mechanisms as a text without joints and links, which are written as the parameters,
+/// unknowns, points and loops that they stand for. Comments other than doc comments are not kept.
+/// A text with mistakes gives what could be read; [`check_all`] reports them.
+///
+/// ```
+/// use linkage_compiler::loops;
+///
+/// let text = "
+///     struct Crank {
+///         unit mm;
+///         input phi = 0deg;
+///         joint a = (0mm, 0mm), b = (20mm, 0mm);
+///         link frame: a;
+///         link crank: a, b at phi;
+///     }";
+/// let text = loops(text.parse().expect("brackets have partners"));
+/// assert!(text.contains("let b = a + polar(crank.length, crank.angle);"));
+/// ```
+pub fn loops(body: TokenStream) -> String {
+    let mut diagnostics = diagnostic::Diagnostics::default();
+    let definitions = syntax::parse(body, &mut diagnostics);
+    let definitions = model::expand(definitions, &mut diagnostics);
+    definitions.iter().map(syntax::mechanism_text).collect()
+}
+
 /// Reads a value that is given apart from a mechanism, as on a command line: that of a parameter of
 /// this name, with its tolerance, where lengths are in this unit. The unit has one parameter.
 ///

@@ -86,6 +86,8 @@ pub(crate) struct Link {
     /// Indices of joints.
     pub(crate) joints: Vec<usize>,
     pub(crate) mass: Option<Mass>,
+    /// True for wheels that do not turn, whose second joint is to the right of the first one.
+    pub(crate) is_held: bool,
 }
 
 /// A mass with its units as text, and the joint at its centre.
@@ -198,7 +200,7 @@ impl Document {
         self.links.push(Link {
             name: name.into(),
             joints,
-            mass: None,
+            ..Link::default()
         });
         self.links.len() - 1
     }

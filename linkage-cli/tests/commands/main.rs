@@ -11,6 +11,7 @@ mod hold;
 mod import;
 mod js;
 mod kept;
+mod loops;
 mod machines;
 mod memory;
 mod names;

@@ -90,7 +90,7 @@ fn motor(sheet: &mut Sheet, connector: &XmlElement) -> Result<(), ImportError> {
             "{direction} at {} revolutions per minute{manual}",
             plain(rpm.abs())
         )),
-        rate: Some(-DEGREES_PER_SECOND * rpm),
+        rate: (manual.is_empty() && rpm != 0.0).then_some(-DEGREES_PER_SECOND * rpm),
     });
     Ok(())
 }

@@ -12,21 +12,45 @@ use super::spelling::Spelling;
 /// Adds a line for each joint.
 pub(super) fn joints(document: &Document, spelling: &Spelling, text: &mut String) {
     let unit = document.unit.name();
-    for (joint, name) in document.joints.iter().zip(&spelling.joints) {
+    for (index, name) in spelling.joints.iter().enumerate() {
+        let joint = &document.joints[index];
         let [x, y] = joint.position.map(plain);
         let note = match sizes::whole_position(document, joint.position) {
             _ if joint.is_derived => " // not in the file".to_owned(),
             Some([x, y]) => format!(" // ({}{unit}, {}{unit}) is within", plain(x), plain(y)),
             None => String::new(),
         };
-        let _ = writeln!(text, "    joint {name} = ({x}{unit}, {y}{unit});{note}");
+        let start = if joins_nothing(document, index) {
+            "// Joins nothing: "
+        } else {
+            ""
+        };
+        let _ = writeln!(
+            text,
+            "    {start}joint {name} = ({x}{unit}, {y}{unit});{note}"
+        );
     }
+}
+
+/// Returns true for fixed points that nothing turns about or slides along.
+fn joins_nothing(document: &Document, joint: usize) -> bool {
+    let mut slots = document.slots.iter();
+    document.links_of(joint) == [FRAME]
+        && !slots.any(|slot| {
+            slot.pin == joint
+                || match slot.path {
+                    SlotPath::Joints(first, second) => first == joint || second == joint,
+                    SlotPath::Direction(_, _, through) => through == Some(joint),
+                    SlotPath::Arc { centre, .. } => centre == joint,
+                }
+        })
 }
 
 /// Adds a line for each link, with its lengths behind it.
 pub(super) fn links(document: &Document, spelling: &Spelling, drives: &[Drive], text: &mut String) {
     for (index, link) in document.links.iter().enumerate() {
         let mut joints = link.joints.clone();
+        joints.retain(|joint| index != FRAME || !joins_nothing(document, *joint));
         if joints.is_empty() {
             continue;
         }
@@ -43,6 +67,9 @@ pub(super) fn links(document: &Document, spelling: &Spelling, drives: &[Drive], 
                 }
                 _ => {}
             }
+        }
+        if link.is_held {
+            clauses += " at 0deg";
         }
         if let Some(mass) = &link.mass {
             let centre = &spelling.joints[mass.centre];

@@ -195,58 +195,6 @@ fn compared(file: &std::path::Path) -> Result<(), String> {
     Ok(())
 }
 
-/// Outer wheels turn against each other, those of a chain in the same sense.
-#[test]
-fn wheels_turn_by_their_sizes() {
-    for (kind, sign) in [("gears", -1.0), ("chain", 1.0)] {
-        let file = format!(
-            "<linkage2><program units=\"Inches\"/>\
-             <connector id=\"0\" x=\"0\" y=\"0\" anchor=\"true\" input=\"true\" rpm=\"9\"/>\
-             <connector id=\"1\" x=\"48\" y=\"0\"/>\
-             <connector id=\"2\" x=\"192\" y=\"0\" anchor=\"true\"/>\
-             <Link id=\"0\"><connector id=\"0\"/><connector id=\"1\"/></Link>\
-             <Link id=\"1\" gear=\"true\" fastenlink=\"0\"><connector id=\"0\"/></Link>\
-             <Link id=\"2\" gear=\"true\"><connector id=\"2\"/></Link>\
-             <ratios><ratio type=\"{kind}\"><link id=\"1\" size=\"20\"/>\
-             <link id=\"2\" size=\"40\"/></ratio></ratios></linkage2>"
-        );
-        let text = crate::files::of_text(&file, "wheels.linkage2").text;
-        let mechanism = Mechanism::compile(&text).unwrap_or_else(|error| panic!("{error}\n{text}"));
-        let assembly = mechanism.assemble(&mechanism.dimensions()).expect("wheels");
-        let mark = |phi: f64| {
-            let [x, y] = assembly.results("points", &[phi]).vector::<2>("mark_link2");
-            y.atan2(x - 2.0)
-        };
-        let turned = mark(0.5) - mark(0.0);
-        assert!(
-            (turned - sign * 0.25).abs() < 1e-12,
-            "{kind}: {turned}\n{text}"
-        );
-    }
-}
-
-/// Blocks, cylinders, driven slots and masses are items of the language.
-#[test]
-fn other_texts_compile() {
-    let tables = [
-        "name,kind,x (mm),y (mm),links,along,input\n\
-         o,pin,0,0,frame crank,,\na,pin,20,35,crank rod,,\nb,block,140,20,frame piston rod,0,1\n\
-         c,pin,150,20,piston,,\n",
-        "name,kind,x (cm),y (cm),links\n\
-         o,pin,0,0,frame boom\na,pin,20,5,boom\ng,pin,10,-9,frame\nram,cylinder,,,g a\n",
-        "name,kind,x (m),y (m),links\n\
-         Pi,motor,0,0,frame let\nlet,motor,1,2,let 2\n1,pin,3,2,2\n",
-    ];
-    for table in tables {
-        let text = crate::files::of_text(table, "a.csv").text;
-        let mechanism = Mechanism::compile(&text).unwrap_or_else(|error| panic!("{error}\n{text}"));
-        assert!(
-            mechanism.assemble(&mechanism.dimensions()).is_ok(),
-            "{text}"
-        );
-    }
-}
-
 #[test]
 fn drawings_of_linkage() {
     moves("l2");

@@ -1,13 +1,20 @@
-//! The syntax tree as text, for tests.
+//! The syntax tree as text: for tests with all parentheses, for users with as few as possible.
 
 use std::fmt::{self, Display, Formatter};
 
-use super::ast::{InputItem, Item, MechanismDef, PartItem};
+use super::ast::{GivenPart, InputItem, Item, MechanismDef, PartItem};
 use super::expression_tree::{BinaryOp, Expr, ExprKind, Toleranced};
 use super::keyword::JointKind;
-use super::linked_tree::{LinkItem, LinkedItem, SlidePath, SliderItem, WheelsItem};
+use super::linked_tree::{DrawnJoint, LinkItem, LinkedItem, SlidePath, SliderItem, WheelsItem};
 use super::mechanics_tree::{Between, BodyItem, ElementItem, JointItem, LoadItem, Member};
 use super::vocabulary::Word;
+
+/// Prints values one after the other, all in the form of the formatter.
+macro_rules! show {
+    ($f:expr, $first:expr $(, $value:expr)*) => {
+        Display::fmt(&$first, $f)$(.and_then(|()| Display::fmt(&$value, $f)))*
+    };
+}
 
 /// One line for each item and quantity, every operation in parentheses.
 pub fn dump(definition: &MechanismDef) -> String {
@@ -33,42 +40,43 @@ pub fn dump(definition: &MechanismDef) -> String {
     lines.join("\n") + "\n"
 }
 
-struct Line<'a>(&'a Item);
+/// An item without its `;`.
+pub(super) struct Line<'a>(pub(super) &'a Item);
 
 impl Display for Line<'_> {
     fn fmt(&self, f: &mut Formatter) -> fmt::Result {
-        write!(f, "{} ", self.0.word().word())?;
+        show!(f, self.0.word().word(), " ")?;
         match self.0 {
-            Item::Unit(item) => write!(f, "{}", item.unit),
+            Item::Unit(item) => show!(f, item.unit),
             Item::Const(item) | Item::Let(item) | Item::Argument(item) => {
-                write!(f, "{} = {}", item.name, item.value)
+                show!(f, item.name, " = ", item.value)
             }
             Item::Unknown(item) => match &item.estimate {
-                Some(estimate) => write!(f, "{} = {estimate}", item.name),
-                None => write!(f, "{}", item.name),
+                Some(estimate) => show!(f, item.name, " = ", estimate),
+                None => show!(f, item.name),
             },
             Item::Loop(item) => {
                 let redundant = if item.redundant { " redundant" } else { "" };
-                write!(f, "{} = {}{redundant}", item.left, item.right)
+                show!(f, item.left, " = ", item.right, redundant)
             }
-            Item::Param(item) => write!(f, "{} = {}", item.name, item.value),
-            Item::Input(item) => write!(f, "{item}"),
-            Item::Part(item) => write!(f, "{item}"),
-            Item::Gravity(item) => write!(f, "= {}", item.value),
-            Item::Body(item) => write!(f, "{item}"),
-            Item::Joint(item) => write!(f, "{item}"),
-            Item::Force(item) | Item::Torque(item) => write!(f, "{item}"),
-            Item::Spring(item) | Item::Damper(item) => write!(f, "{item}"),
-            Item::Linked(item) => write!(f, "{item}"),
+            Item::Param(item) => show!(f, item.name, " = ", item.value),
+            Item::Input(item) => show!(f, item),
+            Item::Part(item) => show!(f, item),
+            Item::Gravity(item) => show!(f, "= ", item.value),
+            Item::Body(item) => show!(f, item),
+            Item::Joint(item) => show!(f, item),
+            Item::Force(item) | Item::Torque(item) => show!(f, item),
+            Item::Spring(item) | Item::Damper(item) => show!(f, item),
+            Item::Linked(item) => show!(f, item),
         }
     }
 }
 
 impl Display for InputItem {
     fn fmt(&self, f: &mut Formatter) -> fmt::Result {
-        write!(f, "{} = {}", self.name, self.value)?;
+        show!(f, self.name, " = ", self.value)?;
         if let Some((low, high)) = &self.range {
-            write!(f, " in {low}..{high}")?;
+            show!(f, " in ", low, "..", high)?;
         }
         optional(f, " at ", self.speed.as_ref())?;
         optional(f, ", ", self.acceleration.as_ref())
@@ -83,16 +91,8 @@ impl Display for Member {
 
 impl Display for PartItem {
     fn fmt(&self, f: &mut Formatter) -> fmt::Result {
-        let given = self.given.iter();
-        let given = given.map(|given| format!("{} = {}", given.name, given.value));
-        let given: Vec<String> = given.collect();
-        write!(
-            f,
-            "{}: {} {{ {} }}",
-            self.name,
-            self.mechanism,
-            given.join(", ")
-        )?;
+        show!(f, self.name, ": ", self.mechanism)?;
+        list(f, " { ", &self.given, " }")?;
         optional(f, " on ", self.on.as_ref())?;
         optional(f, " at ", self.at.as_ref())?;
         optional(f, ", turned by ", self.turned.as_ref())
@@ -102,16 +102,16 @@ impl Display for PartItem {
 impl Display for BodyItem {
     fn fmt(&self, f: &mut Formatter) -> fmt::Result {
         let joint = &self.joint;
-        write!(f, "{} = {}", self.name, joint.kind.word())?;
+        show!(f, self.name, " = ", joint.kind.word())?;
         optional(f, " ", joint.name.as_ref())?;
-        write!(f, " on {} at {}", joint.on, joint.at)?;
+        show!(f, " on ", joint.on, " at ", joint.at)?;
         direction(f, joint.kind, joint.direction.as_ref())?;
         optional(f, ", turns ", self.turns.as_ref())?;
         for part in &self.masses {
-            write!(f, ", mass {} at {}", part.mass, part.at)?;
+            show!(f, ", mass ", part.mass, " at ", part.at)?;
         }
         for part in &self.inertias {
-            write!(f, ", inertia {}", part.inertia)?;
+            show!(f, ", inertia ", part.inertia)?;
             optional(f, " at ", part.at.as_ref())?;
         }
         Ok(())
@@ -122,7 +122,7 @@ impl Display for JointItem {
     fn fmt(&self, f: &mut Formatter) -> fmt::Result {
         let joint = &self.joint;
         optional(f, "", joint.name.as_ref())?;
-        write!(f, " = {} on {} at {}", self.body, joint.on, joint.at)?;
+        show!(f, " = ", self.body, " on ", joint.on, " at ", joint.at)?;
         direction(f, joint.kind, joint.direction.as_ref())
     }
 }
@@ -134,7 +134,7 @@ fn direction(f: &mut Formatter, kind: JointKind, direction: Option<&Expr>) -> fm
 
 impl Display for LoadItem {
     fn fmt(&self, f: &mut Formatter) -> fmt::Result {
-        write!(f, "{} on {}", self.value, self.on)?;
+        show!(f, self.value, " on ", self.on)?;
         optional(f, " from ", self.from.as_ref())?;
         optional(f, " at ", self.at.as_ref())
     }
@@ -142,7 +142,7 @@ impl Display for LoadItem {
 
 impl Display for ElementItem {
     fn fmt(&self, f: &mut Formatter) -> fmt::Result {
-        write!(f, "{} {}", self.value, self.between)?;
+        show!(f, self.value, " ", self.between)?;
         optional(f, ", free ", self.free.as_ref())
     }
 }
@@ -150,10 +150,10 @@ impl Display for ElementItem {
 impl Display for Between {
     fn fmt(&self, f: &mut Formatter) -> fmt::Result {
         match self {
-            Between::Joint(joint) => write!(f, "on {joint}"),
+            Between::Joint(joint) => show!(f, "on ", joint),
             Between::Points(ends) => {
                 let [(from, start), (to, end)] = &**ends;
-                write!(f, "from {from} at {start} to {to} at {end}")
+                show!(f, "from ", from, " at ", start, " to ", to, " at ", end)
             }
         }
     }
@@ -161,7 +161,7 @@ impl Display for Between {
 
 /// Prints a word and its operand, if there is one.
 fn optional(f: &mut Formatter, word: &str, value: Option<&impl Display>) -> fmt::Result {
-    value.map_or(Ok(()), |value| write!(f, "{word}{value}"))
+    value.map_or(Ok(()), |value| show!(f, word, value))
 }
 
 impl Display for Toleranced {
@@ -183,35 +183,85 @@ impl Display for Toleranced {
 
 fn pair(f: &mut Formatter, nominal: &Expr, tolerance: Option<&Expr>) -> fmt::Result {
     match tolerance {
-        Some(tolerance) => write!(f, "{nominal} +- {tolerance}"),
-        None => write!(f, "{nominal}"),
+        Some(tolerance) => show!(f, nominal, " +- ", tolerance),
+        None => show!(f, nominal),
     }
 }
 
 impl Display for Expr {
     fn fmt(&self, f: &mut Formatter) -> fmt::Result {
-        match &self.kind {
-            ExprKind::Number { text, suffix } => write!(f, "{text}{suffix}"),
-            ExprKind::Name(name) => write!(f, "{name}"),
-            ExprKind::Tuple(components) => list(f, "(", components, ")"),
-            ExprKind::List(entries) => list(f, "[", entries, "]"),
-            ExprKind::Call(name, arguments) => {
-                write!(f, "{name}")?;
-                list(f, "(", arguments, ")")
-            }
-            ExprKind::Field(value, field) => write!(f, "{value}.{field}"),
-            ExprKind::Index(value, index) => write!(f, "{value}[{index}]"),
-            ExprKind::Negate(value) => write!(f, "(-{value})"),
-            ExprKind::Binary(operator, left, right) => write!(f, "({left} {operator} {right})"),
-            ExprKind::Power(base, power) => write!(f, "{base}^{power}"),
-            ExprKind::Error => f.write_str("<error>"),
-        }
+        fmt_expression(f, self, Operand::Term)
     }
 }
 
-fn list(f: &mut Formatter, open: &str, entries: &[Expr], close: &str) -> fmt::Result {
-    let entries: Vec<String> = entries.iter().map(ToString::to_string).collect();
-    write!(f, "{open}{}{close}", entries.join(", "))
+/// The operands that need no parentheses in some place, each with those before it.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+enum Operand {
+    Term,
+    Factor,
+    Signed,
+    Primary,
+}
+
+/// Prints an expression: every operation in parentheses, or as few as possible in the alternate
+/// form.
+fn fmt_expression(f: &mut Formatter, expr: &Expr, operand: Operand) -> fmt::Result {
+    let (operation, left, right) = match &expr.kind {
+        ExprKind::Negate(_) => (Operand::Signed, Operand::Signed, Operand::Signed),
+        ExprKind::Binary(BinaryOp::Add | BinaryOp::Sub, ..) => {
+            (Operand::Term, Operand::Term, Operand::Factor)
+        }
+        ExprKind::Binary(BinaryOp::Mul | BinaryOp::Div, ..) => {
+            (Operand::Factor, Operand::Factor, Operand::Signed)
+        }
+        _ => (Operand::Primary, Operand::Primary, Operand::Primary),
+    };
+    let is_operation = operation != Operand::Primary;
+    let enclosed = is_operation && (!f.alternate() || operation < operand);
+    f.write_str(if enclosed { "(" } else { "" })?;
+    match &expr.kind {
+        ExprKind::Number { text, suffix } => show!(f, text, suffix)?,
+        ExprKind::Name(name) => show!(f, name)?,
+        ExprKind::Tuple(components) => list(f, "(", components, ")")?,
+        ExprKind::List(entries) => list(f, "[", entries, "]")?,
+        ExprKind::Call(name, arguments) => {
+            show!(f, name)?;
+            list(f, "(", arguments, ")")?;
+        }
+        ExprKind::Field(value, field) => {
+            fmt_expression(f, value, Operand::Primary)?;
+            show!(f, ".", field)?;
+        }
+        ExprKind::Index(value, index) => {
+            fmt_expression(f, value, Operand::Primary)?;
+            show!(f, "[", index, "]")?;
+        }
+        ExprKind::Negate(value) => {
+            f.write_str("-")?;
+            fmt_expression(f, value, right)?;
+        }
+        ExprKind::Binary(operator, first, second) => {
+            fmt_expression(f, first, left)?;
+            show!(f, " ", operator, " ")?;
+            fmt_expression(f, second, right)?;
+        }
+        ExprKind::Power(base, power) => {
+            fmt_expression(f, base, Operand::Primary)?;
+            show!(f, "^", power)?;
+        }
+        ExprKind::Error => f.write_str("<error>")?,
+    }
+    f.write_str(if enclosed { ")" } else { "" })
+}
+
+/// Prints entries with commas between them.
+fn list(f: &mut Formatter, open: &str, entries: &[impl Display], close: &str) -> fmt::Result {
+    f.write_str(open)?;
+    for (index, entry) in entries.iter().enumerate() {
+        f.write_str(if index == 0 { "" } else { ", " })?;
+        entry.fmt(f)?;
+    }
+    f.write_str(close)
 }
 
 impl Display for BinaryOp {
@@ -228,38 +278,43 @@ impl Display for BinaryOp {
 impl Display for LinkedItem {
     fn fmt(&self, f: &mut Formatter) -> fmt::Result {
         match self {
-            LinkedItem::Joints(joints) => {
-                let joints = joints.iter();
-                let joints = joints.map(|joint| format!("{} = {}", joint.name, joint.position));
-                f.write_str(&joints.collect::<Vec<_>>().join(", "))
-            }
-            LinkedItem::Link(item) => write!(f, "{item}"),
-            LinkedItem::Slider(item) => write!(f, "{item}"),
-            LinkedItem::Gears(item) | LinkedItem::Belt(item) => write!(f, "{item}"),
-            LinkedItem::Weld(item) => {
-                let links: Vec<String> = item.links.iter().map(ToString::to_string).collect();
-                f.write_str(&links.join(", "))
-            }
+            LinkedItem::Joints(joints) => list(f, "", joints, ""),
+            LinkedItem::Link(item) => show!(f, item),
+            LinkedItem::Slider(item) => show!(f, item),
+            LinkedItem::Gears(item) | LinkedItem::Belt(item) => show!(f, item),
+            LinkedItem::Weld(item) => list(f, "", &item.links, ""),
         }
+    }
+}
+
+impl Display for DrawnJoint {
+    fn fmt(&self, f: &mut Formatter) -> fmt::Result {
+        show!(f, self.name, " = ", self.position)
+    }
+}
+
+impl Display for GivenPart {
+    fn fmt(&self, f: &mut Formatter) -> fmt::Result {
+        show!(f, self.name, " = ", self.value)
     }
 }
 
 impl Display for LinkItem {
     fn fmt(&self, f: &mut Formatter) -> fmt::Result {
-        write!(f, "{}:", self.name)?;
+        show!(f, self.name, ":")?;
         for (index, joint) in self.joints.iter().enumerate() {
             f.write_str(if index == 0 { " " } else { ", " })?;
-            write!(f, "{}", joint.name)?;
+            show!(f, joint.name)?;
             optional(f, " = ", joint.coordinates.as_ref())?;
         }
         optional(f, " at ", self.at.as_ref())?;
         optional(f, " length ", self.length.as_ref())?;
         optional(f, " about ", self.about.as_ref())?;
         for part in &self.masses {
-            write!(f, ", mass {} at {}", part.mass, part.at)?;
+            show!(f, ", mass ", part.mass, " at ", part.at)?;
         }
         for part in &self.inertias {
-            write!(f, ", inertia {}", part.inertia)?;
+            show!(f, ", inertia ", part.inertia)?;
             optional(f, " at ", part.at.as_ref())?;
         }
         Ok(())
@@ -268,15 +323,15 @@ impl Display for LinkItem {
 
 impl Display for SliderItem {
     fn fmt(&self, f: &mut Formatter) -> fmt::Result {
-        write!(f, "{}: {} on {}", self.name, self.pin, self.guide)?;
+        show!(f, self.name, ": ", self.pin, " on ", self.guide)?;
         match &self.path {
-            SlidePath::Line([first, second]) => write!(f, " along {first}, {second}")?,
+            SlidePath::Line([first, second]) => show!(f, " along ", first, ", ", second)?,
             SlidePath::Direction { angle, through } => {
-                write!(f, " along {angle}")?;
+                show!(f, " along ", angle)?;
                 optional(f, " through ", through.as_ref())?;
             }
             SlidePath::Arc { centre, radius } => {
-                write!(f, " around {centre}")?;
+                show!(f, " around ", centre)?;
                 optional(f, " radius ", radius.as_ref())?;
             }
         }
@@ -288,8 +343,8 @@ impl Display for SliderItem {
 impl Display for WheelsItem {
     fn fmt(&self, f: &mut Formatter) -> fmt::Result {
         let ([first, second], [one, other]) = (&self.wheels, &self.sizes);
-        write!(f, "{first}, {second}")?;
+        show!(f, first, ", ", second)?;
         optional(f, " on ", self.carrier.as_ref())?;
-        write!(f, " teeth {one}, {other}")
+        show!(f, " teeth ", one, ", ", other)
     }
 }

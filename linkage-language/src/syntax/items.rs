@@ -5,6 +5,7 @@ use proc_macro2::Delimiter;
 use super::ast::{Attribute, Item, LoopItem, NamedItem, ParamItem, UnitItem, UnknownItem};
 use super::expression::PlusMinus;
 use super::expression_tree::{Expr, Toleranced};
+use super::item_name::ItemName;
 use super::joints::{Kind, other_word};
 use super::keyword::{ClauseWord, DeclarationWord, ItemWord, JointKind, LoadWord};
 use super::parser::{Parsed, Parser};
@@ -99,7 +100,7 @@ impl Parser<'_> {
 
     /// `NAME = expr [+- tol] ;` after `param`, and whether its end has been reached.
     fn param_item(&mut self, attributes: Vec<Attribute>) -> Parsed<(Item, bool)> {
-        let name = self.name("a name after `param`")?;
+        let name = self.item_name("a name after `param`")?;
         let (value, complete) = self.value("", Self::toleranced);
         let lost = |span| Toleranced::Single {
             nominal: Expr::error(span),
@@ -107,7 +108,7 @@ impl Parser<'_> {
         };
         let item = ParamItem {
             attributes,
-            name: name.into(),
+            name,
             value: value.unwrap_or_else(lost),
         };
         Ok((Item::Param(item), complete))
@@ -119,7 +120,12 @@ impl Parser<'_> {
         word: DeclarationWord,
         make: fn(NamedItem) -> Item,
     ) -> Parsed<(Item, bool)> {
-        let name = self.name(&format!("a name after `{}`", word.word()))?;
+        let wanted = format!("a name after `{}`", word.word());
+        let name = if word == DeclarationWord::Let {
+            self.item_name(&wanted)?
+        } else {
+            self.name(&wanted)?.into()
+        };
         let help = if word == DeclarationWord::Argument {
             "the value says its dimension: `argument load = 100N;`"
         } else {
@@ -132,7 +138,7 @@ impl Parser<'_> {
         };
         let (value, complete) = self.value(help, |parser| parser.sum(plus_minus));
         let item = NamedItem {
-            name: name.into(),
+            name,
             value: value.unwrap_or_else(Expr::error),
         };
         Ok((make(item), complete))
@@ -140,14 +146,23 @@ impl Parser<'_> {
 
     /// `NAME [= expr] ;` after `unknown`, and whether its end has been reached.
     fn unknown_item(&mut self) -> Parsed<(Item, bool)> {
-        let name = self.name("a name after `unknown`")?;
-        let name = name.into();
+        let name = self.item_name("a name after `unknown`")?;
         let item = |estimate| Item::Unknown(UnknownItem { name, estimate });
         if self.stream.eat_punct(';') {
             return Ok((item(None), true));
         }
         let (value, complete) = self.value("", |parser| parser.sum(PlusMinus::JointIsMistake));
         Ok((item(Some(value.unwrap_or_else(Expr::error))), complete))
+    }
+
+    /// `NAME`, or `NAME.NAME` for a quantity of a link.
+    fn item_name(&mut self, what: &str) -> Parsed<ItemName> {
+        let name = self.name(what)?;
+        if !self.stream.eat_punct('.') {
+            return Ok(name.into());
+        }
+        let quantity = self.name("the name of a quantity after `.`")?;
+        Ok(ItemName::of_link(name, quantity))
     }
 
     fn item_word(&mut self) -> Parsed<ItemWord> {

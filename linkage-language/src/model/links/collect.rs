@@ -82,6 +82,7 @@ fn frame(definition: &MechanismDef) -> Link<'_> {
         joints: Vec::new(),
         coordinates: Vec::new(),
         at: None,
+        about: None,
         length: None,
         length_word: "length",
         masses: &[],
@@ -170,8 +171,9 @@ fn add_link<'a>(
         diagnostics.error_with_help((&item.name).into(), fact, help);
         return;
     }
-    if let Some(given) = coordinates.iter().take(2).flatten().next() {
-        let _ = given;
+    // A hinge of space needs no axis from joint to joint.
+    let axis = if item.about.is_some() { 1 } else { 2 };
+    if coordinates.iter().take(axis).any(Option::is_some) {
         let fact = format!(
             "the first two joints of `{text}` are its axis: the first one is its origin, the second one is on its x axis"
         );
@@ -188,6 +190,7 @@ fn add_link<'a>(
         joints,
         coordinates,
         at: item.at.as_ref(),
+        about: item.about.as_ref(),
         length: item.length.as_ref(),
         length_word: "length",
         masses: &item.masses,
@@ -265,6 +268,7 @@ fn add_slider<'a>(
                 joints: vec![centre, pin],
                 coordinates: vec![None, None],
                 at: None,
+                about: None,
                 length: radius.as_ref(),
                 length_word: "radius",
                 masses: &[],

@@ -11,7 +11,7 @@ use super::slides::{
     along, drawn_direction, drawn_position, guide, leads_on, point_in_slot, slot_angle, start_item,
     start_joint,
 };
-use super::{mechanics, wheels};
+use super::{mechanics, space, wheels};
 use crate::diagnostic::{Diagnostics, SourceSpan};
 use crate::model::types::Function;
 use crate::syntax::{
@@ -30,11 +30,10 @@ pub(super) fn items(
 ) -> Vec<Item> {
     let drawing = drawing(definition, linkage);
     if is_spatial(linkage) {
-        let fact = "joints and links are those of the plane";
-        let help = "write a mechanism of space with loops: docs/language/loops.md, Space";
-        diagnostics.error_with_help((&definition.name).into(), fact, help);
-        return Vec::new();
+        let fixed = fixed_joints(linkage, &linkage.links[FRAME].joints, &drawing, diagnostics);
+        return space::items(linkage, &drawing, fixed, diagnostics);
     }
+    refuse_axes(linkage, diagnostics);
     let bodies = bodies(linkage);
     let plan = plan(linkage, &bodies, diagnostics);
     let sheet = Sheet {
@@ -43,7 +42,7 @@ pub(super) fn items(
         drawing: &drawing,
         plan: &plan,
     };
-    let mut items = fixed_joints(&sheet, diagnostics);
+    let mut items = fixed_joints(linkage, &bodies.list[FRAME].joints, &drawing, diagnostics);
     items.extend(locations::items(linkage, &bodies, &drawing, diagnostics));
     let sliders = linkage.sliders.iter();
     items.extend(sliders.filter_map(|slider| start_item(linkage, slider, &drawing)));
@@ -56,12 +55,17 @@ pub(super) fn items(
 }
 
 /// Returns the joints of the frame: parameters, or derived quantities if they depend on others.
-fn fixed_joints(sheet: &Sheet, diagnostics: &mut Diagnostics) -> Vec<Item> {
+fn fixed_joints(
+    linkage: &Linkage,
+    fixed: &[usize],
+    drawing: &Drawing,
+    diagnostics: &mut Diagnostics,
+) -> Vec<Item> {
     let mut items = Vec::new();
-    for (index, joint) in sheet.linkage.joints.iter().enumerate() {
+    for (index, joint) in linkage.joints.iter().enumerate() {
         let Some(drawn) = joint.drawn else { continue };
         let name = ItemName::from(joint.name.clone());
-        if !sheet.bodies.list[FRAME].joints.contains(&index) {
+        if !fixed.contains(&index) {
             if has_tolerance(drawn) {
                 let fact = format!("the joint `{name}` moves, and is only drawn here");
                 let help = "give the tolerance to a link: `length 50mm +- 0.1mm`";
@@ -69,7 +73,7 @@ fn fixed_joints(sheet: &Sheet, diagnostics: &mut Diagnostics) -> Vec<Item> {
             }
             continue;
         }
-        items.push(if sheet.drawing.is_constant(&nominal(drawn)) {
+        items.push(if drawing.is_constant(&nominal(drawn)) {
             Item::Param(ParamItem {
                 attributes: Vec::new(),
                 name,
@@ -81,6 +85,18 @@ fn fixed_joints(sheet: &Sheet, diagnostics: &mut Diagnostics) -> Vec<Item> {
         });
     }
     items
+}
+
+/// Reports axes of hinges, which all have one direction in the plane.
+fn refuse_axes(linkage: &Linkage, diagnostics: &mut Diagnostics) {
+    for link in linkage.links.iter().filter(|link| link.about.is_some()) {
+        let fact = format!(
+            "the link `{}` turns about an axis, but is drawn in the plane",
+            link.name
+        );
+        let help = "leave `about` out, or draw all joints with three coordinates";
+        diagnostics.error_with_help((&link.name).into(), fact, help);
+    }
 }
 
 fn has_tolerance(value: &Toleranced) -> bool {

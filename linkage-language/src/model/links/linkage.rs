@@ -30,6 +30,8 @@ pub(super) struct Link<'a> {
     /// Given coordinates, for each joint.
     pub(super) coordinates: Vec<Option<&'a Toleranced>>,
     pub(super) at: Option<&'a Expr>,
+    /// The axis of a hinge in space.
+    pub(super) about: Option<&'a Expr>,
     pub(super) length: Option<&'a Toleranced>,
     /// The name of its length: the arc of a curved slot has a radius.
     pub(super) length_word: &'static str,

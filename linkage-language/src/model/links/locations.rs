@@ -198,7 +198,7 @@ fn length_item(
     }))
 }
 
-fn parameter(link: &Ident, quantity: &Ident, value: Toleranced) -> Item {
+pub(super) fn parameter(link: &Ident, quantity: &Ident, value: Toleranced) -> Item {
     Item::Param(ParamItem {
         attributes: Vec::new(),
         name: ItemName::of_link(link.clone(), quantity.clone()),

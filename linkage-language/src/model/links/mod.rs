@@ -16,6 +16,7 @@ mod order;
 mod rigid_bodies;
 mod sheet;
 mod slides;
+mod space;
 mod wheels;
 
 use std::collections::BTreeMap;

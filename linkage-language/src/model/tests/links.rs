@@ -204,6 +204,10 @@ fn mistakes_in_links() {
             "`c` is a joint of `rocker`, and cannot slide on it",
         ),
         (
+            [FRAME, "link crank: a, b about (0, 0, 1) at phi;", REST],
+            "the link `crank` turns about an axis, but is drawn in the plane",
+        ),
+        (
             ["link frame a, d;", CRANK, REST],
             "expected `:` after `frame`",
         ),
@@ -221,5 +225,40 @@ fn mistakes_in_links() {
                 assert!(messages.len() <= 2, "{source}: {messages:#?}");
             }
         }
+    }
+}
+
+#[test]
+fn mistakes_in_links_of_space() {
+    const JOINTS: &str = "unit mm; input phi = 0deg; joint a = (0mm, 0mm, 0mm), b = (0mm, 20mm, 0mm), c = (50mm, 60mm, 9mm), d = (50mm, 0mm, 0mm);";
+    const FRAME: &str = "link frame: a, d; link crank: a, b about (1, 0, 0) at phi;";
+    for (parts, expected) in [
+        (
+            "link rod: b, c; link rocker: d, c; slider s: c on frame along 0deg;",
+            "sliders, gears, belts and welds belong to the plane",
+        ),
+        (
+            "link rod: b, c mass 1kg at b; link rocker: d, c;",
+            "links of space have no masses",
+        ),
+        (
+            "link rod: b, c; link rocker: c, d about (0, 0, 1);",
+            "the hinge of the link `rocker` is in no joint that is reached",
+        ),
+        (
+            "link rod: b, c; link rocker: c;",
+            "the link `rocker` has one joint",
+        ),
+        (
+            "unknown k; link rod: b, c; link rocker: c, k;",
+            "the length of the link `rocker` is not known",
+        ),
+    ] {
+        let source = format!("struct A {{ {JOINTS} {FRAME} {parts} }}");
+        let (_, messages) = expanded(&source);
+        assert!(
+            messages.len() == 1 && messages[0].contains(expected),
+            "{source}:\n{messages:#?}\nlack\n{expected}"
+        );
     }
 }

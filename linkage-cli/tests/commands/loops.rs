@@ -1,0 +1,59 @@
+//! `linkage loops`: what is printed is a mechanism with the same programs and numbers.
+
+use std::fs;
+
+use crate::{folder, printed, refused};
+
+const LINKS: &str = include_str!("../../../linkage-language/src/model/tests/links.mech");
+
+#[test]
+fn printed_loops_are_the_same_mechanism() {
+    let folder = folder("printed_loops");
+    // Examples whose purpose are their items alone need not close.
+    let moving = ["FourBar", "Press", "QuickReturn", "Lift", "TwoPins"];
+    let mechanisms = LINKS.split_inclusive("\n}\n");
+    let mut source = String::new();
+    for text in mechanisms {
+        let name = |name: &&str| text.contains(&format!("struct {name} "));
+        if let Some(name) = moving.iter().find(|wanted| name(wanted)) {
+            source.push_str(text);
+            let input = if *name == "Lift" { "stroke" } else { "phi" };
+            source.push_str(&format!(
+                "impl {name} {{ fn shape({input}) -> {name}Shape {{ shape: picture() }} }}\n"
+            ));
+        } else if text.starts_with("impl Press") || text.starts_with("impl Lift") {
+            source.push_str(text);
+        }
+    }
+    fs::write(folder.join("links.mech"), source).expect("it can be written");
+    let loops = printed(&folder, &["loops", "links.mech"]);
+    assert!(!loops.contains("link ") && !loops.contains("joint "));
+    fs::write(folder.join("loops.mech"), &loops).expect("it can be written");
+    let check = |file| printed(&folder, &["check", file]);
+    assert_eq!(check("links.mech"), check("loops.mech"));
+    let table = |file| {
+        let torque = [
+            "table",
+            file,
+            "torque",
+            "--at",
+            "omega=20rad/s",
+            "--steps",
+            "24",
+        ];
+        let hold = ["table", file, "hold", "--steps", "24"];
+        printed(&folder, &torque) + &printed(&folder, &hold)
+    };
+    assert_eq!(table("links.mech"), table("loops.mech"));
+    // Loops stand for themselves.
+    assert_eq!(printed(&folder, &["loops", "loops.mech"]), loops);
+}
+
+#[test]
+fn mistakes_are_reported() {
+    let folder = folder("mistakes_in_loops");
+    let text = "struct A { unit mm; input phi = 0deg; joint a = (0mm, 0mm); link frame: b; }";
+    fs::write(folder.join("a.mech"), text).expect("it can be written");
+    let told = refused(&folder, &["loops", "a.mech"], 1);
+    assert!(told.contains("unknown joint `b`"), "{told}");
+}
