@@ -1,6 +1,7 @@
 //! Which joints are inputs, which equations follow from others, and how far an input goes.
 
 use super::chain::{Chain, Equation, Pose};
+use super::placement::{Vector, difference, length};
 use crate::error::ImportError;
 use crate::names::shown;
 
@@ -13,6 +14,16 @@ const CLOSED: f64 = 1e-12;
 
 /// Positions to each side of the drawn one at which a range is tried.
 const TRIES: usize = 90;
+
+/// The corners of a box of more inputs are not tried.
+const MOST_CORNERS: usize = 6;
+
+/// Steps from the drawn position to a corner.
+const CORNER_STEPS: usize = 20;
+
+/// The factor of a shortening, and the most of them.
+const SHORTER: f64 = 0.75;
+const SHORTENINGS: usize = 12;
 
 /// A pivot of the equations below this part of that of the drawn position is a dead point.
 const FLAT: f64 = 0.02;
@@ -171,11 +182,73 @@ pub(super) fn reach(
     ([below, above], is_cut_below || is_cut_above)
 }
 
+/// The factor by which the ranges of several inputs must be shortened so that the loops close at all
+/// corners of their box.
+pub(super) fn common_share(chain: &Chain, analysis: &Analysis, ranges: &[[f64; 2]]) -> f64 {
+    let count = analysis.inputs.len();
+    if !(2..=MOST_CORNERS).contains(&count) {
+        return 1.0;
+    }
+    let drawn = chain.drawn();
+    let margin = pivot(chain, analysis, &chain.rows(&drawn));
+    let mut share = 1.0;
+    for _ in 0..SHORTENINGS {
+        let is_closed = (0..1_usize << count).all(|corner| {
+            let mut pose = drawn.clone();
+            (0..CORNER_STEPS).all(|_| {
+                let step = |k: usize| share * ranges[k][corner >> k & 1] / CORNER_STEPS as f64;
+                let mut changes = vec![0.0; chain.coordinates.len()];
+                for (k, input) in analysis.inputs.iter().enumerate() {
+                    changes[*input] = step(k);
+                }
+                settle(chain, analysis, &mut pose, &changes)
+                    && pivot(chain, analysis, &chain.rows(&pose)) >= FLAT * margin
+            })
+        });
+        if is_closed {
+            return share;
+        }
+        share *= SHORTER;
+    }
+    share
+}
+
+/// True if a point of the robot, with its body, moves with an input.
+pub(super) fn moves(
+    chain: &Chain,
+    analysis: &Analysis,
+    input: usize,
+    points: &[(usize, Vector)],
+) -> bool {
+    let drawn = chain.drawn();
+    let mut pose = drawn.clone();
+    let step = 1e-3
+        * if chain.size > 1e-9 {
+            chain.size.min(1.0)
+        } else {
+            1.0
+        };
+    if !advance(chain, analysis, &mut pose, input, step) {
+        return true;
+    }
+    let shift = |(body, at): &(usize, Vector)| {
+        let [before, after] = [&drawn, &pose].map(|pose| pose.bodies[*body].point(*at));
+        length(difference(before, after))
+    };
+    let shifts = points.iter().map(shift);
+    shifts.fold(0.0, f64::max) > 1e-6 * step * chain.size
+}
+
 /// Moves an input by a step and closes the loops. False if they do not close.
 fn advance(chain: &Chain, analysis: &Analysis, pose: &mut Pose, input: usize, step: f64) -> bool {
     let mut changes = vec![0.0; chain.coordinates.len()];
     changes[input] = step;
-    chain.step(pose, &changes);
+    settle(chain, analysis, pose, &changes)
+}
+
+/// Moves the inputs and closes the loops. False if they do not close.
+fn settle(chain: &Chain, analysis: &Analysis, pose: &mut Pose, changes: &[f64]) -> bool {
+    chain.step(pose, changes);
     for _ in 0..MOST_STEPS {
         let rows = chain.rows(pose);
         let error = rows

@@ -79,8 +79,10 @@ pub(super) fn read(root: &XmlElement) -> Result<Robot, ImportError> {
     for element in root.named("equality").flat_map(|all| &all.children) {
         reader.equality(element)?;
     }
+    let tendons = root.named("tendon").flat_map(|all| all.named("fixed"));
+    let tendons: Vec<&XmlElement> = tendons.collect();
     for element in root.named("actuator").flat_map(|all| &all.children) {
-        reader.actuator(element);
+        reader.actuator(element, &tendons);
     }
     reader.settle_floating()?;
     Ok(reader.robot)
@@ -381,14 +383,30 @@ impl<'t> Reader<'t> {
         follow(&mut self.robot, follower, leader, powers)
     }
 
-    fn actuator(&mut self, element: &XmlElement) {
-        let name = element.attribute("joint");
-        let body = name.and_then(|name| self.robot.joint_named(name));
-        match body.and_then(|body| self.robot.bodies[body].joint.as_mut()) {
-            Some(joint) => joint.is_driven = true,
-            None => self
-                .robot
-                .leave_out(&format!("actuator {} without a joint", element.name)),
+    /// Marks the joints that an actuator drives: one, or those of a tendon.
+    fn actuator(&mut self, element: &XmlElement, tendons: &[&XmlElement]) {
+        let of_tendon = element.attribute("tendon");
+        let tendon = tendons
+            .iter()
+            .filter(|tendon| of_tendon.is_some() && tendon.attribute("name") == of_tendon);
+        let joints = tendon.flat_map(|tendon| tendon.named("joint"));
+        let joints = joints.filter_map(|joint| joint.attribute("joint"));
+        let names: Vec<&str> = element
+            .attribute("joint")
+            .into_iter()
+            .chain(joints)
+            .collect();
+        let mut has_joint = false;
+        for name in names {
+            let body = self.robot.joint_named(name);
+            if let Some(joint) = body.and_then(|body| self.robot.bodies[body].joint.as_mut()) {
+                joint.is_driven = true;
+                has_joint = true;
+            }
+        }
+        if !has_joint {
+            let name = format!("actuator {} without a joint", element.name);
+            self.robot.leave_out(&name);
         }
     }
 
