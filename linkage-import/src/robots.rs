@@ -11,6 +11,7 @@ mod model;
 mod motion_plane;
 mod placement;
 mod planar;
+mod rod_bodies;
 mod sdf;
 mod spatial;
 mod urdf;
