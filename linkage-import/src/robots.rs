@@ -6,6 +6,7 @@
 mod analysis;
 mod attribute_numbers;
 mod chain;
+mod input_ranges;
 mod mjcf;
 mod model;
 mod motion_plane;
@@ -24,8 +25,9 @@ use crate::format::Format;
 use crate::names::{in_comment, shown, type_name};
 use crate::options::Options;
 use crate::xml;
-use analysis::{analyse, moves};
+use analysis::analyse;
 use chain::Chain;
+use input_ranges::moves;
 use model::Robot;
 use motion_plane::Plane;
 pub(crate) use placement::{Placement, Vector, cross, difference, dot, length, normals, unit};

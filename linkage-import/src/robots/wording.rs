@@ -2,8 +2,9 @@
 
 use std::fmt::Write;
 
-use super::analysis::{Analysis, common_share, reach};
+use super::analysis::Analysis;
 use super::chain::Chain;
+use super::input_ranges::{common_share, reach};
 use super::model::{Joint, Motion};
 use super::placement::Vector;
 use crate::names::{Names, in_comment, shown};
@@ -154,7 +155,11 @@ impl<'c> Wording<'c> {
             None if self.is_one_of_several(index) => ([-TURN / 8.0, TURN / 8.0], false),
             None => ([-TURN / 2.0, TURN / 2.0], true),
         };
-        let (found, is_cut) = reach(self.chain, self.analysis, index, limits);
+        // A joint of an open chain goes as far as its limits.
+        let (found, is_cut) = match self.is_in_loop(index) {
+            true => reach(self.chain, self.analysis, index, limits),
+            false => (limits, false),
+        };
         let ends = [0, 1].map(|end| match found[end] == limits[end] {
             true => found[end],
             false => BESIDE * found[end],
@@ -170,8 +175,12 @@ impl<'c> Wording<'c> {
     /// True if an input moves loops that others move, too. Without limits in the file it gets an
     /// eighth of a turn to each side: over more, the box of all ranges has dead points.
     fn is_one_of_several(&self, index: usize) -> bool {
+        self.analysis.inputs.len() > 1 && self.is_in_loop(index)
+    }
+
+    fn is_in_loop(&self, index: usize) -> bool {
         let rows = self.chain.rows(&self.chain.drawn());
-        self.analysis.inputs.len() > 1 && rows.iter().any(|row| row.changes[index] != 0.0)
+        rows.iter().any(|row| row.changes[index] != 0.0)
     }
 
     fn input(&self, index: usize, limits: Limits, share: f64, sections: &mut Sections) {
