@@ -52,7 +52,11 @@ fn large_drawings_take_bounded_time() {
     let chain = |count: usize, kind: &str| {
         let row = |index: usize| {
             let (x, y) = (index, index * index % 17);
-            let end = if index % 3 == 0 { "frame " } else { "" };
+            let end = if index.is_multiple_of(3) {
+                "frame "
+            } else {
+                ""
+            };
             format!("j{index},{kind},{x},{y},{end}l{index} l{}\n", index + 1)
         };
         header.to_owned() + &(0..count).map(row).collect::<String>()
