@@ -55,6 +55,9 @@ fn joint(document: &Document, name: &str) -> Result<usize, ImportError> {
     })
 }
 
+/// The greatest number of inputs that are tried.
+const MOST_TRIED: usize = 40;
+
 /// Chooses cranks, then slots of the frame, until nothing is free. A warning names each.
 pub(crate) fn missing(document: &mut Document) {
     if !document.inputs.is_empty() {
@@ -64,7 +67,7 @@ pub(crate) fn missing(document: &mut Document) {
     let Some(mut free) = mobility(document, &chosen) else {
         return;
     };
-    for candidate in candidates(document) {
+    for candidate in candidates(document).into_iter().take(MOST_TRIED) {
         if free == 0 {
             break;
         }

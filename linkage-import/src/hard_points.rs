@@ -2,6 +2,7 @@
 //! user, because the tables do not have them.
 
 mod axes;
+mod moving_parts;
 mod point_table;
 mod rocker;
 mod roles;

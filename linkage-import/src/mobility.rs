@@ -5,16 +5,17 @@
 
 use crate::document::{Document, InputKind};
 
+mod built;
 mod constraints;
 mod elimination;
 mod ranges;
 
-use constraints::System;
+use built::system;
 pub(crate) use ranges::ranges;
 
 /// Returns the mobility with some inputs held, or `None` for mechanisms that are too large.
 pub(crate) fn mobility(document: &Document, inputs: &[InputKind]) -> Option<usize> {
-    let system = System::new(document, inputs)?;
+    let system = system(document, inputs)?;
     let pose = system.drawn();
     let values = vec![0.0; inputs.len()];
     let rows = system.rows(&pose, &values);

@@ -6,7 +6,7 @@ use std::collections::BTreeSet;
 const LONGEST: usize = 40;
 
 /// Words of the language and of Rust, and functions of expressions.
-const TAKEN: &str = "abs abstract accel acceleration acos alpha and angle as asin async at atan \
+const TAKEN: &str = "about abs abstract accel acceleration acos alpha and angle as asin async at atan \
     atan2 await become belt block body bool box break cam const continue coordinates_in cos crate \
     cross cylinder deg derivative dir distance do dot dyn else enum extern f32 f64 false final \
     fn for force frame friction gears gravity guide hinge hypot if impl in inertia input jerk \

@@ -6,11 +6,13 @@
 mod analysis;
 mod attribute_numbers;
 mod chain;
+mod input_ranges;
 mod mjcf;
 mod model;
 mod motion_plane;
 mod placement;
 mod planar;
+mod rod_bodies;
 mod sdf;
 mod spatial;
 mod urdf;
@@ -25,6 +27,7 @@ use crate::options::Options;
 use crate::xml;
 use analysis::analyse;
 use chain::Chain;
+use input_ranges::moves;
 use model::Robot;
 use motion_plane::Plane;
 pub(crate) use placement::{Placement, Vector, cross, difference, dot, length, normals, unit};
@@ -52,6 +55,11 @@ pub(crate) fn import(
     }
     let chain = Chain::new(&robot);
     let analysis = analyse(&chain, &options.inputs)?;
+    if analysis.inputs.is_empty() {
+        return Err(ImportError::new(
+            "the loops of the file leave no joint free: nothing can move",
+        ));
+    }
     let mut wording = Wording::new(&chain, &analysis);
     let sections = match chain.plane {
         Some(plane) => planar::sections(&mut wording, plane),
@@ -64,13 +72,16 @@ pub(crate) fn import(
         .iter()
         .map(|index| wording.joints[chain.coordinates[*index].body].as_str())
         .collect();
+    let of_shape = analysis.inputs.iter().zip(&inputs);
+    let of_shape = of_shape.filter(|(index, _)| moves(&chain, &analysis, **index, &sections.drawn));
+    let of_shape: Vec<&str> = of_shape.map(|(_, name)| *name).collect();
     let mut warnings = robot.warnings.clone();
     warnings.extend(sections.warnings.iter().cloned());
     warnings.extend(left_out(&robot));
     let text = written(
         &robot,
         &sections,
-        &inputs,
+        [&inputs, &of_shape],
         &name,
         file,
         chain.plane,
@@ -95,7 +106,7 @@ fn left_out(robot: &Robot) -> Option<String> {
 fn written(
     robot: &Robot,
     sections: &Sections,
-    inputs: &[&str],
+    [inputs, of_shape]: [&[&str]; 2],
     name: &str,
     file: &str,
     plane: Option<Plane>,
@@ -136,7 +147,8 @@ fn written(
         text,
         "}}\n\nimpl {name} {{\n    /// Joints and their angles.\n    pub fn motion({arguments}) -> Motion {{ {quantities} }}"
     );
-    if !sections.links.is_empty() {
+    // A link that no input moves has no picture.
+    if !sections.links.is_empty() && !of_shape.is_empty() {
         let links: Vec<String> = sections
             .links
             .iter()
@@ -144,7 +156,8 @@ fn written(
             .collect();
         let _ = writeln!(
             text,
-            "\n    /// The links, for the drawing.\n    pub fn shape({arguments}) -> Shape {{ shape: picture({}) }}",
+            "\n    /// The links, for the drawing.\n    pub fn shape({}) -> Shape {{ shape: picture({}) }}",
+            of_shape.join(", "),
             links.join(", ")
         );
     }

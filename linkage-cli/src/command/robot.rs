@@ -9,6 +9,7 @@ mod coordinates;
 mod coupling;
 mod declared;
 mod driven_joints;
+mod expression_text;
 mod heading;
 mod inertial;
 mod jointed_links;

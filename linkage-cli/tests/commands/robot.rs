@@ -63,6 +63,19 @@ pub struct Rssr {
 }
 ";
 
+/// The four-bar by its joints and links, without masses.
+const LINKS: &str = "
+pub struct FourBar {
+    unit mm;
+    input phi = 60deg in 20deg..100deg;
+    joint a = (0mm, 0mm), d = (130mm, 0mm), b = (20mm, 34.641mm), c = (131.1mm, 79.99mm);
+    link frame: a, d;
+    link crank: a, b at phi length 40mm;
+    link coupler: b, c length 120mm;
+    link rocker: c, d length 80mm;
+}
+";
+
 /// A folder with a mechanism in it.
 fn with(name: &str, text: &str) -> std::path::PathBuf {
     let folder = folder(name);
@@ -288,4 +301,77 @@ fn what_is_missing_is_named() {
         text.starts_with("error: there is no joint `q`; there is `arm_joint`, `bar_joint` and `p`"),
         "{text}"
     );
+}
+
+#[test]
+fn links_are_bodies() {
+    let folder = with("mjcf_links", LINKS);
+    let output = linkage(&folder, &["mjcf", "own.mech", "--error", "2e-4rad"]);
+    let said = String::from_utf8_lossy(&output.stderr);
+    assert_eq!(
+        said,
+        "note: FourBar: no body has a mass: 1 kg and 2.359e-3 kg m^2 are written for each\n"
+    );
+    let text = String::from_utf8_lossy(&output.stdout);
+    let of_links = numbers(attribute(&text, "joint1=\"b\"", "polycoef"));
+    fs::write(folder.join("bodies.mech"), FOUR_BAR).expect("a file");
+    let text = printed(&folder, &["mjcf", "bodies.mech", "--error", "2e-4rad"]);
+    let of_bodies = numbers(attribute(&text, "joint1=\"bar_joint\"", "polycoef"));
+    assert!(
+        is_near(&of_links, &of_bodies, 1e-9),
+        "{of_links:?} {of_bodies:?}"
+    );
+}
+
+/// A model is read again, with the same motion.
+#[test]
+fn a_model_can_be_imported() {
+    let folder = with("mjcf_again", FOUR_BAR);
+    let functions =
+        format!("{FOUR_BAR}impl FourBar {{ pub fn points(phi) -> Points {{ b, psi }} }}");
+    fs::write(folder.join("own.mech"), functions).expect("a file");
+    printed(&folder, &["mjcf", "own.mech", "-o", "own.xml"]);
+    let output = linkage(&folder, &["import", "own.xml", "-o", "again.mech"]);
+    assert!(
+        output.status.success(),
+        "{}",
+        String::from_utf8_lossy(&output.stderr)
+    );
+    let rows = |name: &str, function: &str, from: &str, to: &str| -> Vec<Vec<f64>> {
+        let arguments = [
+            "table", name, function, "--steps", "5", "--from", from, "--to", to,
+        ];
+        let table = printed(&folder, &arguments);
+        let lines = table.lines().skip(1);
+        lines
+            .map(|line| {
+                line.split(',')
+                    .map(|cell| cell.parse().expect("a number"))
+                    .collect()
+            })
+            .collect()
+    };
+    let first = rows("own.mech", "points", "20deg", "100deg");
+    let table = printed(&folder, &["table", "again.mech", "motion", "--steps", "1"]);
+    let titles: Vec<&str> = table
+        .lines()
+        .next()
+        .unwrap_or_default()
+        .split(',')
+        .collect();
+    let column = |title: &str| {
+        titles
+            .iter()
+            .position(|other| *other == title)
+            .expect("a column")
+    };
+    let [x, y] = ["connect_1_a.x [m]", "connect_1_a.y [m]"].map(column);
+    let again = rows("again.mech", "motion", "-40deg", "40deg");
+    for (first, again) in first.iter().zip(&again) {
+        assert!(is_near(
+            &[first[1], first[2]],
+            &[1e3 * again[x], 1e3 * again[y]],
+            1e-10
+        ));
+    }
 }

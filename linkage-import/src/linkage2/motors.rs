@@ -139,7 +139,8 @@ fn gears(sheet: &mut Sheet, ratio: &XmlElement) -> Result<(), ImportError> {
         let size = decimal(link.attribute("size").unwrap_or("0"), "`size` of a gear")?.value;
         let mut elements = sheet.root.children.iter();
         let pivot = elements.find(|child| {
-            child.name == "Link" && child.attribute("id").map(str::trim) == Some(id.trim())
+            let is_link = child.name == "Link" || child.name == "element";
+            is_link && child.attribute("id").map(str::trim) == Some(id.trim())
         });
         let pivot = pivot.and_then(|link| link.named("connector").next());
         let pivot = pivot.and_then(|connector| identifier(connector).ok());

@@ -1,9 +1,11 @@
 //! Ranges of inputs in which Newton steps from the drawing keep all links joined.
 
+use std::cell::Cell;
 use std::f64::consts::TAU;
 
 use crate::document::{Document, InputKind};
 
+use super::built::system;
 use super::constraints::{Pose, System};
 use super::elimination::solve;
 
@@ -28,8 +30,13 @@ const NEAR_DEAD_POINT: f64 = 0.5;
 /// A range ends before a dead point, by this part of it.
 const MARGIN: f64 = 0.03;
 
+/// The effort of a search: some seconds.
+const MOST_OPERATIONS: u64 = 5_000_000_000;
+
 /// The parts of the ranges of single inputs that boxes of several inputs have.
 const BOXES: [f64; 8] = [1.0, 0.7, 0.5, 0.35, 0.25, 0.15, 0.1, 0.05];
+/// More inputs are not at corners of a box.
+const MOST_CORNER_INPUTS: usize = 5;
 /// Numbers of values of an input in the test of a box.
 const BOX_VALUES: usize = 9;
 
@@ -37,7 +44,7 @@ const BOX_VALUES: usize = 9;
 /// or in the unit of length. Inputs that cannot move have equal bounds.
 pub(crate) fn ranges(document: &Document) -> Option<Vec<[f64; 2]>> {
     let kinds: Vec<InputKind> = document.inputs.iter().map(|input| input.kind).collect();
-    let system = System::new(document, &kinds)?;
+    let system = system(document, &kinds)?;
     let drawn = system.drawn();
     let rows = system.rows(&drawn, &vec![0.0; kinds.len()]);
     let solution = solve(rows, system.unknowns());
@@ -46,6 +53,7 @@ pub(crate) fn ranges(document: &Document) -> Option<Vec<[f64; 2]>> {
     }
     let walk = Walk {
         system: &system,
+        left: Cell::new(MOST_OPERATIONS),
         rank: solution.rank,
         is_negative: solution.is_negative,
     };
@@ -74,6 +82,8 @@ fn scaled(ranges: &[[f64; 2]], part: f64) -> Vec<[f64; 2]> {
 
 struct Walk<'t> {
     system: &'t System,
+    /// Operations that are left.
+    left: Cell<u64>,
     rank: usize,
     /// The sign of the determinant in the drawing.
     is_negative: bool,
@@ -89,6 +99,9 @@ impl Walk<'_> {
                 .iter()
                 .map(|row| row.last().copied().unwrap_or(0.0).abs());
             let error = error.fold(0.0, f64::max);
+            let unknowns = self.system.unknowns() as u64;
+            let cost = unknowns * unknowns * rows.len() as u64;
+            self.left.set(self.left.get().checked_sub(cost)?);
             let is_square = rows.len() == self.system.unknowns();
             let solution = solve(rows, self.system.unknowns());
             if solution.rank < self.rank || solution.smallest_pivot < SMALLEST_PIVOT {
@@ -234,8 +247,8 @@ fn is_box(walk: &Walk, ranges: &[[f64; 2]]) -> bool {
             ends.all(|end| walk.walk(&pose, &[value, 0.0], &[value, *end]).is_some())
         });
     }
-    // The first ten inputs, since corners double with each.
-    let corners = 1usize << ranges.len().min(10);
+    // The first inputs, since corners double with each.
+    let corners = 1usize << ranges.len().min(MOST_CORNER_INPUTS);
     (0..corners).all(|corner| {
         let values = ranges.iter().enumerate();
         let values = values.map(|(index, range)| range[corner >> index.min(63) & 1]);

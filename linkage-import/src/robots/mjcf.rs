@@ -5,13 +5,14 @@
 use std::collections::BTreeMap;
 
 use super::attribute_numbers::{attribute, numbers};
-use super::model::{ClosingJoint, Closure, Joint, Mass, Motion, Robot, joint};
+use super::model::{Joint, Mass, Motion, Robot, joint};
 use super::placement::{AXES, FIXED, Placement, Vector};
-use super::urdf::{axis_of, follow};
+use super::urdf::axis_of;
 use crate::error::ImportError;
 use crate::names::shown;
 use crate::xml::XmlElement;
 
+mod constraints;
 mod model_settings;
 
 use model_settings::Settings;
@@ -79,8 +80,10 @@ pub(super) fn read(root: &XmlElement) -> Result<Robot, ImportError> {
     for element in root.named("equality").flat_map(|all| &all.children) {
         reader.equality(element)?;
     }
+    let tendons = root.named("tendon").flat_map(|all| all.named("fixed"));
+    let tendons: Vec<&XmlElement> = tendons.collect();
     for element in root.named("actuator").flat_map(|all| &all.children) {
-        reader.actuator(element);
+        reader.actuator(element, &tendons);
     }
     reader.settle_floating()?;
     Ok(reader.robot)
@@ -281,147 +284,5 @@ impl<'t> Reader<'t> {
             inertia: located.tensor(&tensor),
         });
         Ok(())
-    }
-
-    fn equality(&mut self, element: &XmlElement) -> Result<(), ImportError> {
-        let number = self.robot.closures.len() + 1;
-        let name = element
-            .attribute("name")
-            .map_or_else(|| format!("{}_{number}", element.name), ToOwned::to_owned);
-        if element.attribute("active") == Some("false") {
-            self.robot.warnings.push(format!(
-                "the equality `{}` is not active: it is left out",
-                shown(&name)
-            ));
-            return Ok(());
-        }
-        match element.name.as_str() {
-            "connect" | "weld" => self.closure(element, &name),
-            "joint" => self.coupling(element, &name),
-            other => {
-                self.robot.leave_out(&format!("equality {other}"));
-                Ok(())
-            }
-        }
-    }
-
-    fn closure(&mut self, element: &XmlElement, name: &str) -> Result<(), ImportError> {
-        let is_weld = element.name == "weld";
-        let missing = |what: &str| {
-            ImportError::new(format!(
-                "the equality `{}` names no {what} of the file",
-                shown(name)
-            ))
-        };
-        let (bodies, at) = match (element.attribute("site1"), element.attribute("site2")) {
-            (Some(first), Some(second)) => {
-                let site = |name: &str| self.sites.get(name).ok_or_else(|| missing("site"));
-                let [(a, at), (b, other)] = [site(first)?, site(second)?];
-                ([*a, *b], [at.origin, other.origin])
-            }
-            _ => {
-                let body = |name: &str| self.bodies.get(name).ok_or_else(|| missing("body"));
-                let (a, frame_a) = body(element.attribute("body1").unwrap_or_default())?;
-                let (b, frame_b) = body(element.attribute("body2").unwrap_or("world"))?;
-                // That of a weld is in the second body.
-                let frame = if is_weld { frame_b } else { frame_a };
-                let anchor = attribute(element, "anchor")?;
-                if anchor.is_none() && !is_weld {
-                    return Err(missing("anchor"));
-                }
-                if let Some(pose) = attribute::<7>(element, "relpose")?
-                    && pose[3..].iter().any(|number| *number != 0.0)
-                {
-                    self.robot.warnings.push(format!(
-                        "the weld `{}` has a `relpose`: the drawn position is taken instead",
-                        shown(name)
-                    ));
-                }
-                ([*a, *b], [frame.point(anchor.unwrap_or_default()); 2])
-            }
-        };
-        let closing = if is_weld {
-            ClosingJoint::Weld
-        } else {
-            ClosingJoint::Point
-        };
-        self.robot.closures.push(Closure {
-            name: name.to_owned(),
-            closing,
-            bodies,
-            at,
-        });
-        Ok(())
-    }
-
-    fn coupling(&mut self, element: &XmlElement, name: &str) -> Result<(), ImportError> {
-        let follower = element.attribute("joint1").unwrap_or_default();
-        let Some(leader) = element.attribute("joint2") else {
-            self.robot.warnings.push(format!(
-                "the equality `{}` holds the joint `{}`: hold it as an input",
-                shown(name),
-                shown(follower)
-            ));
-            return Ok(());
-        };
-        let mut powers = match element.attribute("polycoef") {
-            Some(text) => numbers(text, "`polycoef`")?,
-            None => vec![0.0, 1.0],
-        };
-        // Missing numbers keep their defaults.
-        for (power, default) in [0.0, 1.0, 0.0, 0.0, 0.0].iter().enumerate() {
-            if powers.len() <= power {
-                powers.push(*default);
-            }
-        }
-        powers.truncate(5);
-        while powers.len() > 2 && powers.last() == Some(&0.0) {
-            powers.pop();
-        }
-        follow(&mut self.robot, follower, leader, powers)
-    }
-
-    fn actuator(&mut self, element: &XmlElement) {
-        let name = element.attribute("joint");
-        let body = name.and_then(|name| self.robot.joint_named(name));
-        match body.and_then(|body| self.robot.bodies[body].joint.as_mut()) {
-            Some(joint) => joint.is_driven = true,
-            None => self
-                .robot
-                .leave_out(&format!("actuator {} without a joint", element.name)),
-        }
-    }
-
-    /// A single body that floats is the frame. More of them need closures.
-    fn settle_floating(&mut self) -> Result<(), ImportError> {
-        let is_closed = |body: usize| {
-            let closures = self.robot.closures.iter();
-            let mut bodies = closures.flat_map(|closure| closure.bodies);
-            bodies.any(|other| self.robot.hangs_on(other, body))
-        };
-        let to_world = self
-            .robot
-            .closures
-            .iter()
-            .any(|closure| closure.bodies.contains(&0));
-        match self.floating[..] {
-            [] => Ok(()),
-            [only] if !to_world || !is_closed(only) => {
-                let name = self.robot.bodies[only].name.clone();
-                self.robot.warnings.push(format!(
-                    "the body `{}` floats in the file: here it is fixed",
-                    shown(&name)
-                ));
-                if let Some(joint) = &mut self.robot.bodies[only].joint {
-                    joint.motion = Motion::Fixed;
-                }
-                Ok(())
-            }
-            _ if self.floating.iter().all(|body| is_closed(*body)) => Ok(()),
-            _ => Err(ImportError::new(format!(
-                "{} bodies float, and no equality holds them",
-                self.floating.len()
-            ))),
-        }
     }
 }

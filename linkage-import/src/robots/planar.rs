@@ -26,9 +26,8 @@ pub(super) fn sections(wording: &mut Wording, plane: Plane) -> Sections {
         sections: Sections::default(),
         offsets: Vec::new(),
     };
-    for index in writer.wording.analysis.inputs.clone() {
-        writer.wording.input(index, &mut writer.sections);
-    }
+    writer.wording.inputs(&mut writer.sections);
+    writer.sections.lets = writer.wording.lets_of_followers();
     for body in 1..count {
         writer.body(body);
     }
@@ -55,24 +54,11 @@ impl Writer<'_, '_> {
             .unwrap_or_else(|| "0deg".to_owned())
     }
 
-    /// The value of a joint's coordinate.
-    fn value(&self, body: usize) -> String {
-        let Some(joint) = &self.of_body(body).joint else {
-            return "0deg".to_owned();
-        };
-        let is_hinge = matches!(joint.motion, Motion::Hinge(_) | Motion::Ball);
-        if !is_hinge || self.is_input(body) || joint.follows.is_some() {
-            return self.wording.joints[body].clone();
-        }
-        let (turn, on) = (self.turn(body), &self.turns[joint.parent]);
-        let apart = match on {
-            Some(on) => format!("({turn} - {on})"),
-            None => turn,
-        };
-        match self.is_positive(joint) {
-            true => apart,
-            false => format!("(-{apart})"),
-        }
+    /// True if another joint follows that of a body.
+    fn leads(&self, body: usize) -> bool {
+        let bodies = self.wording.chain.robot.bodies.iter();
+        let mut followed = bodies.filter_map(|other| other.joint.as_ref()?.follows.as_ref());
+        followed.any(|(leader, _)| *leader == body)
     }
 
     fn is_positive(&self, joint: &Joint) -> bool {
@@ -124,14 +110,6 @@ impl Writer<'_, '_> {
         let name = self.wording.joints[body].clone();
         let pivot = self.wording.pivots[body].clone();
         let is_led = joint.follows.is_some();
-        if let Some((leader, _)) = &joint.follows
-            && let Some(led_by) = &self.of_body(*leader).joint
-        {
-            // Leaders that come later are joints without a name yet: their value is an unknown.
-            let value = self.value(*leader);
-            let text = self.wording.followed(&joint, led_by, &value);
-            self.sections.lets.push(format!("let {name} = {text};"));
-        }
         let is_given = is_led || self.is_input(body);
         let at = self.carried(joint.parent, joint.at, &name);
         let on = self.turns[joint.parent].clone();
@@ -140,7 +118,14 @@ impl Writer<'_, '_> {
                 self.sections.lets.push(format!("let {pivot} = {at};"));
                 let wanted = format!("turn_{}", self.wording.bodies[body]);
                 let turn = self.wording.names.unique(&wanted, "turn_");
-                if is_given {
+                // A joint that others follow is an unknown itself, else the angle of its body.
+                let is_leader = self.leads(body);
+                if is_leader && !is_given {
+                    self.sections
+                        .unknowns
+                        .push(format!("unknown {name} = 0deg;"));
+                }
+                if is_given || is_leader {
                     let sign = if self.is_positive(&joint) { "+" } else { "-" };
                     let text = match (&on, sign) {
                         (None, "+") => name,
@@ -230,6 +215,12 @@ impl Writer<'_, '_> {
     fn links(&mut self) {
         let robot = self.wording.chain.robot;
         let mut links: Vec<Vec<(String, [f64; 2])>> = vec![Vec::new(); robot.bodies.len()];
+        let joints = robot.bodies.iter().enumerate();
+        let joints = joints.filter_map(|(body, of_body)| Some((body, of_body.joint.as_ref()?.at)));
+        let closures = robot.closures.iter();
+        let ends =
+            closures.flat_map(|closure| [0, 1].map(|end| (closure.bodies[end], closure.at[end])));
+        self.sections.drawn = joints.chain(ends).collect();
         for (index, body) in robot.bodies.iter().enumerate() {
             let Some(joint) = &body.joint else {
                 continue;

@@ -19,9 +19,8 @@ pub(super) fn sections(wording: &mut Wording) -> Sections {
         sections: Sections::default(),
         offsets: Vec::new(),
     };
-    for index in writer.wording.analysis.inputs.clone() {
-        writer.wording.input(index, &mut writer.sections);
-    }
+    writer.wording.inputs(&mut writer.sections);
+    writer.sections.lets = writer.wording.lets_of_followers();
     for body in 1..writer.wording.chain.robot.bodies.len() {
         writer.body(body);
     }
@@ -105,13 +104,6 @@ impl Writer<'_, '_> {
         let name = self.wording.joints[body].clone();
         let pivot = self.wording.pivots[body].clone();
         let is_led = joint.follows.is_some();
-        if let Some((leader, _)) = &joint.follows
-            && let Some(led_by) = &self.of_body(*leader).joint
-        {
-            let value = self.wording.joints[*leader].clone();
-            let text = self.wording.followed(&joint, led_by, &value);
-            self.sections.lets.push(format!("let {name} = {text};"));
-        }
         let is_given = is_led || self.is_input(body);
         let at = self.carried(joint.parent, joint.at, &name);
         match joint.motion {

@@ -2,9 +2,11 @@
 
 use std::fmt::Write;
 
-use super::analysis::{Analysis, reach};
+use super::analysis::Analysis;
 use super::chain::Chain;
+use super::input_ranges::{common_share, reach};
 use super::model::{Joint, Motion};
+use super::placement::Vector;
 use crate::names::{Names, in_comment, shown};
 use crate::number::{plain, short};
 
@@ -27,13 +29,25 @@ pub(super) struct Sections {
     pub(super) quantities: Vec<String>,
     /// The points of each link, for the picture.
     pub(super) links: Vec<Vec<String>>,
+    /// The same points where they are drawn, with their bodies.
+    pub(super) drawn: Vec<(usize, Vector)>,
     pub(super) warnings: Vec<String>,
+}
+
+/// The range of an input.
+struct Limits {
+    ends: [f64; 2],
+    is_cut: bool,
+    is_turn: bool,
+    is_length: bool,
 }
 
 /// Names and numbers of a robot.
 pub(super) struct Wording<'c> {
     pub(super) chain: &'c Chain<'c>,
     pub(super) analysis: &'c Analysis,
+    /// The bodies whose joints follow others, each after the one that leads it.
+    pub(super) followers: Vec<usize>,
     /// Names of bodies, of joints as coordinates, and of points of joints.
     pub(super) bodies: Vec<String>,
     pub(super) joints: Vec<String>,
@@ -69,6 +83,7 @@ impl<'c> Wording<'c> {
         Self {
             chain,
             analysis,
+            followers: followers(chain),
             bodies: bodies.collect(),
             joints,
             pivots,
@@ -108,45 +123,86 @@ impl<'c> Wording<'c> {
         format!("({})", all.join(", "))
     }
 
-    /// The declaration of an input, with the range in which the loops close.
-    pub(super) fn input(&self, index: usize, sections: &mut Sections) {
+    /// The declarations of the inputs, with the ranges in which the loops close.
+    pub(super) fn inputs(&self, sections: &mut Sections) {
+        let indices = &self.analysis.inputs;
+        let limits: Vec<Limits> = indices.iter().map(|index| self.limits(*index)).collect();
+        let ends: Vec<[f64; 2]> = limits.iter().map(|limits| limits.ends).collect();
+        let share = common_share(self.chain, self.analysis, &ends);
+        if share < 1.0 {
+            sections.warnings.push(
+                "the ranges of the inputs are shortened, so that the loops close for all of them together"
+                    .to_owned(),
+            );
+        }
+        for (index, limits) in indices.iter().zip(limits) {
+            self.input(*index, limits, share, sections);
+        }
+    }
+
+    /// The limits of an input: those of its joint, as far as the loops close.
+    fn limits(&self, index: usize) -> Limits {
         let coordinate = &self.chain.coordinates[index];
-        let Some(joint) = &self.chain.robot.bodies[coordinate.body].joint else {
-            return;
-        };
-        let is_length = matches!(joint.motion, Motion::Slide(_));
+        let joint = self.chain.robot.bodies[coordinate.body].joint.as_ref();
+        let is_length = joint.is_some_and(|joint| matches!(joint.motion, Motion::Slide(_)));
         let size = self.chain.size;
-        let declared = joint
-            .range
-            .filter(|[low, high]| *low <= 0.0 && 0.0 <= *high && low < high);
+        let range = joint.and_then(|joint| joint.range);
+        let declared = range.filter(|[low, high]| *low <= 0.0 && 0.0 <= *high && low < high);
         let free = if is_length { size } else { TURN };
         let (limits, is_turn) = match declared {
             Some([low, high]) => ([low.max(-free), high.min(free)], false),
             None if is_length => ([-size, size], false),
+            None if self.is_one_of_several(index) => ([-TURN / 8.0, TURN / 8.0], false),
             None => ([-TURN / 2.0, TURN / 2.0], true),
         };
-        let (found, is_cut) = reach(self.chain, self.analysis, index, limits);
+        // A joint of an open chain goes as far as its limits.
+        let (found, is_cut) = match self.is_in_loop(index) {
+            true => reach(self.chain, self.analysis, index, limits),
+            false => (limits, false),
+        };
+        let ends = [0, 1].map(|end| match found[end] == limits[end] {
+            true => found[end],
+            false => BESIDE * found[end],
+        });
+        Limits {
+            ends,
+            is_cut,
+            is_turn: is_turn && !is_cut,
+            is_length,
+        }
+    }
+
+    /// True if an input moves loops that others move, too. Without limits in the file it gets an
+    /// eighth of a turn to each side: over more, the box of all ranges has dead points.
+    fn is_one_of_several(&self, index: usize) -> bool {
+        self.analysis.inputs.len() > 1 && self.is_in_loop(index)
+    }
+
+    fn is_in_loop(&self, index: usize) -> bool {
+        let rows = self.chain.rows(&self.chain.drawn());
+        rows.iter().any(|row| row.changes[index] != 0.0)
+    }
+
+    fn input(&self, index: usize, limits: Limits, share: f64, sections: &mut Sections) {
+        let coordinate = &self.chain.coordinates[index];
+        let Some(joint) = &self.chain.robot.bodies[coordinate.body].joint else {
+            return;
+        };
         let name = &self.joints[coordinate.body];
-        let written = |value: f64| match is_length {
+        let written = |value: f64| match limits.is_length {
             true => format!("{}m", plain(rounded(value))),
             false => format!("{}deg", plain(rounded(value.to_degrees()))),
         };
-        let range = match (is_turn, is_cut) {
-            (true, false) => "0deg..360deg".to_owned(),
-            (_, false) => format!("{}..{}", written(found[0]), written(found[1])),
-            (_, true) => {
-                let ends = [0, 1].map(|end| match found[end] == limits[end] {
-                    true => found[end],
-                    false => BESIDE * found[end],
-                });
-                sections.warnings.push(format!(
-                    "`{name}` goes from {} to {}: beyond, the loops do not close, or a dead point is near",
-                    written(ends[0]),
-                    written(ends[1])
-                ));
-                format!("{}..{}", written(ends[0]), written(ends[1]))
-            }
+        let [low, high] = limits.ends.map(|end| written(share * end));
+        let range = match limits.is_turn && share == 1.0 {
+            true => "0deg..360deg".to_owned(),
+            false => format!("{low}..{high}"),
         };
+        if limits.is_cut {
+            sections.warnings.push(format!(
+                "`{name}` goes from {low} to {high}: beyond, the loops do not close, or a dead point is near"
+            ));
+        }
         let zero = written(0.0);
         let shift = match joint.zero == 0.0 {
             true => String::new(),
@@ -159,7 +215,7 @@ impl<'c> Wording<'c> {
     }
 
     /// The value of a joint that follows another one, as a sum of powers of a text.
-    pub(super) fn followed(&self, joint: &Joint, leader: &Joint, led_by: &str) -> String {
+    fn followed(&self, joint: &Joint, leader: &Joint, led_by: &str) -> String {
         let is_length = |joint: &Joint| matches!(joint.motion, Motion::Slide(_));
         let unit = if is_length(joint) { "m" } else { "rad" };
         let factor = match is_length(leader) {
@@ -187,6 +243,18 @@ impl<'c> Wording<'c> {
             true => format!("0{unit}"),
             false => text,
         }
+    }
+
+    /// The lines that define the joints that follow others.
+    pub(super) fn lets_of_followers(&self) -> Vec<String> {
+        let line = |body: &usize| {
+            let joint = self.chain.robot.bodies[*body].joint.as_ref()?;
+            let (leader, _) = joint.follows.as_ref()?;
+            let led_by = self.chain.robot.bodies[*leader].joint.as_ref()?;
+            let text = self.followed(joint, led_by, &self.joints[*leader]);
+            Some(format!("let {} = {text};", self.joints[*body]))
+        };
+        self.followers.iter().filter_map(line).collect()
     }
 
     /// The comment of a gap, if a closure has one.
@@ -242,6 +310,20 @@ impl<'c> Wording<'c> {
             ));
         }
     }
+}
+
+/// Returns the bodies whose joints follow others, so that leaders come first.
+fn followers(chain: &Chain) -> Vec<usize> {
+    let leader = |body: usize| {
+        let joint = chain.robot.bodies[body].joint.as_ref()?;
+        joint.follows.as_ref().map(|(leader, _)| *leader)
+    };
+    // The readers have refused circles.
+    let depth = |body: usize| std::iter::successors(leader(body), |next| leader(*next)).count();
+    let bodies = 0..chain.robot.bodies.len();
+    let mut followers: Vec<usize> = bodies.filter(|body| leader(*body).is_some()).collect();
+    followers.sort_by_key(|body| depth(*body));
+    followers
 }
 
 /// A number with fifteen digits.

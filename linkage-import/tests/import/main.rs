@@ -2,9 +2,12 @@
 
 mod facts;
 mod files;
+mod items;
+mod linkage;
 mod motion;
 mod mutations;
 mod newton;
 mod page;
+mod pmks;
 mod readers;
 mod refusals;

@@ -1,5 +1,7 @@
 //! Files that break their format: a message each, within bounded memory.
 
+use std::time::Instant;
+
 use linkage_import::{Format, Options, import};
 
 fn refused(content: &str, format: Format) -> String {
@@ -41,6 +43,42 @@ fn deep_and_long_files_are_refused() {
     let rows = "a,pin,0,0,b\n".repeat(100_000);
     let table = format!("name,kind,x,y,links\n{rows}");
     assert!(refused(&table, Format::JointTable).contains("more than 2000"));
+}
+
+/// The largest drawings take some seconds at most, whatever is at the limit.
+#[test]
+fn large_drawings_take_bounded_time() {
+    let header = "name,kind,x,y,links\n";
+    let chain = |count: usize, kind: &str| {
+        let row = |index: usize| {
+            let (x, y) = (index, index * index % 17);
+            let end = if index.is_multiple_of(3) {
+                "frame "
+            } else {
+                ""
+            };
+            format!("j{index},{kind},{x},{y},{end}l{index} l{}\n", index + 1)
+        };
+        header.to_owned() + &(0..count).map(row).collect::<String>()
+    };
+    let anchors = |index: usize| format!("j{index},pin,{index},0,frame l{} l{index}\n", index + 1);
+    let anchors = header.to_owned() + &(0..1990).map(anchors).collect::<String>();
+    let started = Instant::now();
+    for table in [
+        chain(1990, "pin"),
+        chain(75, "pin"),
+        chain(75, "motor"),
+        anchors,
+    ] {
+        let options = Options {
+            format: Some(Format::JointTable),
+            ..Options::default()
+        };
+        // A text or a message, in time.
+        let _ = import(table.as_bytes(), "a.csv", &options);
+    }
+    let seconds = started.elapsed().as_secs();
+    assert!(seconds < 60, "{seconds} s");
 }
 
 #[test]

@@ -434,3 +434,63 @@ fn five_rods_with_names_of_the_file() {
     let facts = suspension(&chassis, &carrier, &rods);
     compare("five_rods.csv", &options, &facts, &SPACE);
 }
+
+/// A flag that follows the rocker, which is no input, and a gripper whose ranges fit together.
+#[test]
+fn joints_follow_passive_ones() {
+    let text = String::from_utf8(crate::file("four_bar.xml")).expect("text");
+    let flag = "<body name=\"flag\" pos=\"0 0 1\"><joint name=\"wave\" axis=\"0 1 0\"/></body></worldbody>";
+    let text = text.replace("</worldbody>", flag).replace(
+        "</equality>",
+        "<joint joint1=\"wave\" joint2=\"pivot\" polycoef=\"0 2 0 0 0\"/></equality>",
+    );
+    let found = linkage_import::import(text.as_bytes(), "a.xml", &Options::default());
+    let text = found.expect("a mechanism").text;
+    let mechanism = Mechanism::compile(&text).unwrap_or_else(|error| panic!("{error}\n{text}"));
+    let assembly = mechanism
+        .assemble(&mechanism.dimensions())
+        .expect("it closes");
+    for x in [-0.4, 0.2, 0.9] {
+        let results = assembly.results("motion", &[x]);
+        let (flag, rocker) = (results["turn_flag"], results["turn_rocker"]);
+        assert!(rocker.abs() > 0.01 && (flag - 2.0 * rocker).abs() < 1e-14);
+    }
+}
+
+/// Two cranks on the frame and two links between them: the box of both ranges is shortened.
+#[test]
+fn ranges_of_several_inputs_fit_together() {
+    let arm = |name: &str, x: f64, lean: f64, inner: &str| {
+        format!(
+            "<body name=\"{name}\" pos=\"{x} 0 0\"><joint name=\"{name}\" axis=\"0 0 1\"/><body name=\"{name}_rod\" pos=\"{lean} 0.1 0\"><joint name=\"{name}_knee\" axis=\"0 0 1\"/>{inner}</body></body>"
+        )
+    };
+    let left = arm("left", 0.0, -0.05, "<site name=\"l\" pos=\"0.1 0.1 0\"/>");
+    let right = arm("right", 0.1, 0.05, "<site name=\"r\" pos=\"-0.1 0.1 0\"/>");
+    let text = format!(
+        "<mujoco><worldbody>{left}{right}</worldbody><equality><connect site1=\"l\" site2=\"r\"/></equality><actuator><motor joint=\"left\"/><motor joint=\"right\"/></actuator></mujoco>"
+    );
+    let found = linkage_import::import(text.as_bytes(), "a.xml", &Options::default());
+    let found = found.expect("a mechanism");
+    let mechanism = Mechanism::compile(&found.text);
+    let mechanism = mechanism.unwrap_or_else(|error| panic!("{error}\n{}", found.text));
+    let names: Vec<&str> = mechanism.inputs().iter().map(|input| input.name).collect();
+    assert_eq!(names, ["left", "right"]);
+    assert!(
+        found
+            .warnings
+            .iter()
+            .any(|warning| warning.contains("are shortened"))
+    );
+    let assembly = mechanism
+        .assemble(&mechanism.dimensions())
+        .expect("it closes");
+    for corner in 0..4 {
+        let end = |k: usize| {
+            let (low, high) = mechanism.inputs()[k].range.expect("a range");
+            [low, high][corner >> k & 1]
+        };
+        let results = assembly.results("motion", &[end(0), end(1)]);
+        assert!(results.numbers().iter().all(|number| number.is_finite()));
+    }
+}

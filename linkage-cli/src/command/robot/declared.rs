@@ -3,10 +3,13 @@
 
 use linkage_compiler::shortened;
 use linkage_engine::Source;
-use linkage_language::diagnostic::{Diagnostics, SourceSpan};
+use linkage_language::diagnostic::Diagnostics;
+use linkage_language::model::expand;
 use linkage_language::syntax::{
-    BodyItem, Expr, ExprKind, Item, JointKind, JointPart, MechanismDef, parse,
+    BodyItem, Expr, ExprKind, GravityItem, Item, JointKind, JointPart, MechanismDef, parse,
 };
+
+use super::expression_text::text;
 
 use crate::failure::Failure;
 
@@ -64,8 +67,11 @@ impl Declared {
             .iter()
             .flat_map(|call| parse(call.tokens.clone(), &mut Diagnostics::default()));
         let mut named = definitions.filter(|definition| definition.title() == name);
-        let definition = named.next().ok_or(Failure::Silent)?;
-        declared(source.text(), &definition)
+        let mut definition = named.next().ok_or(Failure::Silent)?;
+        weigh(&mut definition);
+        let mut expanded = expand(vec![definition], &mut Diagnostics::default());
+        let definition = expanded.pop().ok_or(Failure::Silent)?;
+        declared(&definition)
     }
 
     /// The quantities of a function that computes positions and directions.
@@ -144,7 +150,31 @@ fn add_joint(fields: &mut Vec<String>, prefix: &str, index: usize, joint: &Decla
     }
 }
 
-fn declared(text: &str, definition: &MechanismDef) -> Result<Declared, Failure> {
+/// Links become bodies only if something has a weight: without gravity, add none.
+fn weigh(definition: &mut MechanismDef) {
+    let span = (&definition.name).into();
+    let zero = || Expr {
+        kind: ExprKind::Number {
+            text: "0".to_owned(),
+            suffix: String::new(),
+        },
+        span,
+    };
+    let mut items = definition.items.iter();
+    let is_linked = items.any(|item| matches!(item, Item::Linked(_)));
+    let mut items = definition.items.iter();
+    let has_gravity = items.any(|item| matches!(item, Item::Gravity(_)));
+    if is_linked && !has_gravity {
+        let value = Expr {
+            kind: ExprKind::Tuple(vec![zero(), zero()]),
+            span,
+        };
+        let gravity = Item::Gravity(GravityItem { value, span });
+        definition.items.insert(0, gravity);
+    }
+}
+
+fn declared(definition: &MechanismDef) -> Result<Declared, Failure> {
     let name = definition.title();
     let bodies: Vec<&BodyItem> = definition
         .items
@@ -165,7 +195,7 @@ fn declared(text: &str, definition: &MechanismDef) -> Result<Declared, Failure> 
     }
     if bodies.is_empty() {
         return Err(Failure::Told(format!(
-            "{name} has no `body`, and a robot consists of bodies and joints\nhelp: write `body crank = pin on frame at (0, 0), turns phi, mass 0.1kg at p / 2;` for each link, and a joint `pin on coupler and rocker` for each loop, as on the page Forces"
+            "{name} has no `body`, and a robot consists of bodies and joints\nhelp: write `body crank = pin on frame at (0, 0), turns phi, mass 0.1kg at p / 2;` for each link and `pin a = coupler on rocker at p;` for each loop, or write the mechanism with joints and links"
         )));
     }
     let index_of = |name: &str| bodies.iter().position(|body| body.name == name);
@@ -173,8 +203,8 @@ fn declared(text: &str, definition: &MechanismDef) -> Result<Declared, Failure> 
         kind: part.kind,
         name: part.name.as_ref().map(ToString::to_string),
         on: index_of(&part.on.text),
-        at: written(text, &part.at),
-        direction: part.direction.as_ref().map(|way| written(text, way)),
+        at: text(&part.at),
+        direction: part.direction.as_ref().map(text),
     };
     let mut closures = Vec::new();
     let mut gravity = None;
@@ -182,7 +212,7 @@ fn declared(text: &str, definition: &MechanismDef) -> Result<Declared, Failure> 
     for item in &definition.items {
         match item {
             Item::Joint(item) => closures.push((index_of(&item.body.text), joint(&item.joint))),
-            Item::Gravity(item) => gravity = Some(written(text, &item.value)),
+            Item::Gravity(item) => gravity = Some(text(&item.value)),
             Item::Force(_) => loads.push("force"),
             Item::Torque(_) => loads.push("torque"),
             Item::Spring(_) => loads.push("spring"),
@@ -195,18 +225,18 @@ fn declared(text: &str, definition: &MechanismDef) -> Result<Declared, Failure> 
     let body = |item: &&BodyItem| DeclaredBody {
         name: item.name.to_string(),
         joint: joint(&item.joint),
-        turns: item.turns.as_ref().map(|turns| written(text, turns)),
+        turns: item.turns.as_ref().map(text),
         masses: item
             .masses
             .iter()
-            .map(|part| [&part.mass, &part.at].map(|value| written(text, value)))
+            .map(|part| [&part.mass, &part.at].map(text))
             .collect(),
         inertias: item
             .inertias
             .iter()
             .map(|part| DeclaredInertia {
-                numbers: components(text, &part.inertia),
-                at: part.at.as_ref().map(|at| written(text, at)),
+                numbers: components(&part.inertia),
+                at: part.at.as_ref().map(text),
             })
             .collect(),
     };
@@ -219,21 +249,11 @@ fn declared(text: &str, definition: &MechanismDef) -> Result<Declared, Failure> 
 }
 
 /// The numbers of nested lists, in their order.
-fn components(text: &str, value: &Expr) -> Vec<String> {
+fn components(value: &Expr) -> Vec<String> {
     match &value.kind {
-        ExprKind::Tuple(parts) => parts
-            .iter()
-            .flat_map(|part| components(text, part))
-            .collect(),
-        _ => vec![written(text, value)],
+        ExprKind::Tuple(parts) => parts.iter().flat_map(components).collect(),
+        _ => vec![text(value)],
     }
-}
-
-/// The text of an expression, in brackets.
-fn written(text: &str, value: &Expr) -> String {
-    let SourceSpan { first, last } = value.span;
-    let range = first.byte_range().start..last.byte_range().end;
-    format!("({})", text.get(range).unwrap_or_default())
 }
 
 /// A body or the frame, as messages name it.

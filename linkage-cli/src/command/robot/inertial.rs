@@ -4,9 +4,14 @@ use super::mass::Mass;
 use super::skeleton::Skeleton;
 use super::space_vectors::{AXES, Rotation};
 
-/// A mass that is missing, as a part of the largest mass, or in kilograms if there is none; a moment
-/// that is missing, as a part of mass times the square of the size.
+/// A mass that is missing, as a part of the largest mass; a moment that is missing, as a part of mass
+/// times the square of the size.
 const SMALL: f64 = 1e-6;
+
+/// The mass of all bodies if none has one, in kilograms, and their moment as a part of mass times
+/// the square of the size.
+const EACH: f64 = 1.0;
+const EACH_MOMENT: f64 = 0.1;
 
 /// The mass of a block between two joints as a part of the largest one. MuJoCo holds a constraint on
 /// a lighter body worse: of a ten thousandth, a crank of 20 mm was 3 mm off its slot.
@@ -42,8 +47,11 @@ pub(super) fn inertials(skeleton: &Skeleton) -> Inertials {
     let most = links
         .iter()
         .fold(0.0, |most: f64, link| most.max(link.mass.mass));
-    let small = SMALL * if most > 0.0 { most } else { 1.0 };
     let size = skeleton.size();
+    if most <= 0.0 {
+        return equal(links.len(), size);
+    }
+    let small = SMALL * most;
     let mut masses = Vec::new();
     let mut remarks = Vec::new();
     for link in links {
@@ -67,6 +75,22 @@ pub(super) fn inertials(skeleton: &Skeleton) -> Inertials {
         masses.push(mass);
     }
     Inertials { masses, remarks }
+}
+
+/// Equal masses for bodies that have none.
+fn equal(count: usize, size: f64) -> Inertials {
+    let moment = (EACH_MOMENT * EACH * size * size).max(LEAST);
+    let mass = Mass {
+        mass: EACH,
+        inertia: AXES.map(|axis| axis.map(|component| moment * component)),
+        ..Mass::default()
+    };
+    let remark =
+        format!("no body has a mass: {EACH} kg and {moment:.3e} kg m^2 are written for each");
+    Inertials {
+        masses: vec![mass; count],
+        remarks: vec![remark],
+    }
 }
 
 /// The small mass of a block that only joins two joints.

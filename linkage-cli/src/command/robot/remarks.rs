@@ -89,7 +89,7 @@ pub(super) fn closed(
     match left > expected {
         false => Ok(()),
         true => Err(Failure::Told(format!(
-            "the declared joints leave {left} independent motions, but the mechanism has {expected}\nhelp: declare the joint that closes each loop, as `pin on coupler and rocker`; or give `--error`, which couples the joints by polynomials"
+            "the declared joints leave {left} independent motions, but the mechanism has {expected}\nhelp: declare the joint that closes each loop, as `pin a = coupler on rocker at p;`; or give `--error`, which couples the joints by polynomials"
         ))),
     }
 }
