@@ -43,7 +43,7 @@ pub(crate) fn nearly_redundant<'m>(
         return None;
     }
     let others = simultaneous_loops(names, nominal, &others, &shared)?;
-    let mut one = simultaneous_loops(names, nominal, &[surplus.clone()], &alone)?;
+    let mut one = simultaneous_loops(names, nominal, std::slice::from_ref(surplus), &alone)?;
     if let Some(link) = surplus.distance.as_ref().filter(|link| link.less.is_none()) {
         one.rows = vec![link.vector.length() - link.length];
     }
@@ -75,7 +75,8 @@ pub(crate) fn nearly_redundant<'m>(
             size = largest(others.slopes(&near, &at).iter().flatten());
         }
     }
-    if !moves || !(most <= NEAR * size) {
+    let is_near = most <= NEAR * size;
+    if !moves || !is_near {
         return None;
     }
     let unit = names.mechanism.unit.name();
