@@ -43,7 +43,7 @@ pub(crate) fn nearly_redundant<'m>(
         return None;
     }
     let others = simultaneous_loops(names, nominal, &others, &shared)?;
-    let mut one = simultaneous_loops(names, nominal, &[surplus.clone()], &alone)?;
+    let mut one = simultaneous_loops(names, nominal, std::slice::from_ref(surplus), &alone)?;
     if let Some(link) = surplus.distance.as_ref().filter(|link| link.less.is_none()) {
         one.rows = vec![link.vector.length() - link.length];
     }
@@ -75,7 +75,8 @@ pub(crate) fn nearly_redundant<'m>(
             size = largest(others.slopes(&near, &at).iter().flatten());
         }
     }
-    if !moves || !(most <= NEAR * size) {
+    let is_near = most <= NEAR * size;
+    if !moves || !is_near {
         return None;
     }
     let unit = names.mechanism.unit.name();
@@ -83,7 +84,7 @@ pub(crate) fn nearly_redundant<'m>(
     let help = match length {
         Some((length, unknown)) => format!(
             "if this strut is to follow from the others, leave `{unknown}` and {loops} out, or write the distance of its ends \
-             instead, `loop distance(..., ...) = {length:.10}{unit} redundant;`; if it is to hold something, make a dimension, an \
+             instead, `loop distance(..., ...) = {length}{unit} redundant;`; if it is to hold something, make a dimension, an \
              angle or an input an `unknown`"
         ),
         None if most <= ACCEPTED * size => format!(
@@ -126,5 +127,7 @@ fn strut<'m>(
         .collect();
     let ends = at.evaluate(&substitute(rows, &nothing));
     let length = ends[0].hypot(ends[1]);
+    // More digits than `redundant` needs.
+    let length = format!("{length:.11e}").parse().unwrap_or(length);
     Some((length, names.mechanism.unknowns[unknown].name.clone()))
 }

@@ -43,6 +43,6 @@ pub use mechanics_tree::*;
 pub use mechanism_blocks::parse;
 pub use mechanism_text::mechanism_text;
 pub use spelling::units_within;
-pub use units::{Scale, UnitOfMeasure, find_unit, first_spelling, is_unit};
+pub use units::{Scale, UnitOfMeasure, find_unit, first_spelling, is_meant_as_unit, is_unit};
 pub use vocabulary::Word;
 pub(crate) use vocabulary::vocabulary;

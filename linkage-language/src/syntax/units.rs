@@ -123,6 +123,12 @@ pub fn is_unit(name: &str) -> bool {
     row(name).is_some()
 }
 
+/// Returns true for a name that is hardly meant as anything else: `psi` is an angle in most
+/// mechanisms.
+pub fn is_meant_as_unit(name: &str) -> bool {
+    name != "psi" && is_unit(name)
+}
+
 /// The unit of this name, in any spelling.
 pub fn find_unit(name: &str) -> Option<UnitOfMeasure> {
     row(name).map(|(_, unit)| *unit)

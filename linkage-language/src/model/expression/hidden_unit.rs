@@ -3,7 +3,7 @@
 use crate::model::symbols::declared_names::Names;
 use crate::model::types;
 use crate::model::types::{BinaryOp, Dimension, Expr, Type};
-use crate::syntax::is_unit;
+use crate::syntax::is_meant_as_unit;
 
 /// Returns a help if a name has been taken for the unit that it hides: `0.2N*s/mm` next to `unknown
 /// s`.
@@ -21,7 +21,7 @@ pub(in crate::model) fn hides_unit(names: &Names, product: &Expr) -> Option<Stri
     let symbol = names.symbol(name)?;
     let (text, kind) = (&symbol.text, symbol.kind());
     let help = format!("`{text}` is {kind} here, not the unit: give it another name");
-    is_unit(text).then_some(help)
+    is_meant_as_unit(text).then_some(help)
 }
 
 pub(in crate::model) fn is_literal(value: &Expr) -> bool {

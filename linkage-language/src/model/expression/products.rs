@@ -12,7 +12,7 @@ use crate::model::symbols::operands::Operands;
 use crate::model::symbols::sink::Sink;
 use crate::model::types::{BinaryOp, Expr};
 use crate::model::units::conversion::convert_product;
-use crate::syntax::{self, ExprKind, is_unit};
+use crate::syntax::{self, ExprKind, is_meant_as_unit, is_unit};
 
 /// A number with units, or units alone.
 #[derive(Default)]
@@ -117,7 +117,7 @@ pub(in crate::model) fn refuse_lonely_power(
                 "there is no operator for powers, but of units: `{text}` is {}",
                 symbol.kind()
             ),
-            if is_unit(&text) {
+            if is_meant_as_unit(&text) {
                 format!("the name hides the unit `{text}`: give it another one")
             } else {
                 format!("write `{text} * {text}` for a square")

@@ -13,7 +13,7 @@ use crate::model::symbols::part_scopes::Parts;
 use crate::model::symbols::sink::Sink;
 use crate::model::symbols::site::{Context, refusal, rule};
 use crate::model::types::{Name, is_function};
-use crate::syntax::{is_unit, units_within};
+use crate::syntax::{is_meant_as_unit, units_within};
 
 /// Reports an unknown name. `context` is its place; `None` if any name can be used there.
 pub(in crate::model) fn refuse_unknown_name(
@@ -41,7 +41,7 @@ pub(in crate::model) fn refuse_unknown_name(
         ),
         (Some(name), _) => format!("did you mean `{name}`?"),
         (None, Some(rate)) => rate,
-        (None, None) if is_unit(&text) => {
+        (None, None) if is_meant_as_unit(&text) => {
             format!("write the unit as a factor: `1 * {text}`")
         }
         (None, None) if is_function(&text) => {

@@ -2,7 +2,7 @@
 
 use super::declared_names::Symbol;
 use crate::model::types::Name;
-use crate::syntax::is_unit;
+use crate::syntax::is_meant_as_unit;
 
 /// The place of an expression, which decides about the names that it can use.
 #[derive(Clone, Copy)]
@@ -79,7 +79,7 @@ pub(in crate::model) fn refusal(symbol: &Symbol, context: Context) -> Option<(St
     if !allowed {
         return Some((
             format!("`{text}` is {}, which cannot be used here", symbol.kind()),
-            if is_unit(text) {
+            if is_meant_as_unit(text) {
                 format!("{rule}; the name hides the unit `{text}`")
             } else {
                 rule.to_owned()

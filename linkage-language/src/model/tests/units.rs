@@ -107,6 +107,11 @@ fn misplaced_units() {
             "let a = sin(deg);",
             "unknown name `deg`\nhelp: write the unit as a factor: `1 * deg`",
         ),
+        // A name of an angle, as a rule.
+        (
+            "let psi = 3deg; let a = psi^2;",
+            "there is no operator for powers, but of units: `psi` is a derived quantity\nhelp: write `psi * psi` for a square",
+        ),
         (
             "let a = mm^2;",
             "the unit `mm^2` without a number\nhelp: write `1 * mm^2`",
