@@ -10,9 +10,14 @@ function byId(id) {
 function set(node, attributes) {
   for (const [name, value] of Object.entries(attributes)) {
     if (value === null || value === false) node.removeAttribute(name);
-    else node.setAttribute(name, value === true ? "" : value);
+    else setAttributeTo(node, name, value === true ? "" : String(value));
   }
   return node;
+}
+
+// An equal value would make the browser arrange everything again.
+function setAttributeTo(node, name, text) {
+  if (node.getAttribute(name) !== text) node.setAttribute(name, text);
 }
 
 function element(name, attributes, ...children) {

@@ -2,11 +2,9 @@
 
 // Cells are words, nodes, or numbers; numbers are set to the right.
 function grid(id, heads, rows) {
-  const cell = (value, k) => {
+  const cell = (value) => {
     const number = typeof value === "number" || value === null;
-    // The head of its column, for screens that are too narrow for columns.
-    const head = heads[k] ? { "data-head": heads[k] } : {};
-    return number ? showNumber(element("td", { class: "number", ...head }), value) : element("td", head, value);
+    return number ? showNumber(element("td", { class: "number" }), value) : element("td", {}, value);
   };
   const names = heads.map((name) => element("th", { scope: "col" }, name));
   const head = heads.length > 0 ? [element("thead", {}, element("tr", {}, ...names))] : [];
@@ -131,9 +129,15 @@ function structureTables({ mobility, groups, functions, prepare }) {
   const costs = counts.filter(([, operations]) => operations).map(([name, operations]) => [name, ...costOf(operations)]);
   return [
     element("p", {}, `Mobility ${mobility}.`),
-    groups.length > 0 ? grid("groups", heads, rows) : "",
+    groups.length > 0 ? withHeads(grid("groups", heads, rows), heads) : "",
     grid("operations", ["function", "operations", "of which"], costs),
   ];
+}
+
+// Each cell has the head of its column, for screens that are too narrow for columns.
+function withHeads(box, heads) {
+  for (const row of box.querySelectorAll("tbody tr")) [...row.cells].forEach((cell, k) => set(cell, { "data-head": heads[k] }));
+  return box;
 }
 
 // The same text as in print.
