@@ -27,6 +27,9 @@ pub(crate) struct Expanded<'m> {
     polynomials: Option<Polynomials<'m>>,
     /// The coordinates that it contains.
     pub(crate) contained: Vec<usize>,
+    /// True for the row of a vector loop across a guide: only rows across the same guide are
+    /// subtracted from it, as those of two pins on one line.
+    is_across: bool,
 }
 
 impl<'m> Expanded<'m> {
@@ -41,6 +44,15 @@ impl<'m> Expanded<'m> {
             equation,
             polynomials,
             contained,
+            is_across: false,
+        }
+    }
+
+    /// The same as a row across a guide.
+    pub(crate) fn across(self) -> Self {
+        Self {
+            is_across: true,
+            ..self
         }
     }
 }
@@ -76,6 +88,11 @@ pub(crate) fn differences<'m>(
         let Some(ratio) = ratio(minuend, subtrahend, range.clone()) else {
             continue;
         };
+        let is_across = target.is_across || other.is_across;
+        let is_whole = ratio[0].constant_value().is_some_and(|x| x.abs() == 1.0);
+        if is_across && !is_whole {
+            continue;
+        }
         if !ratios.contains(&ratio) && cancels(minuend, subtrahend, &ratio, range) {
             ratios.push(ratio);
         }
@@ -105,7 +122,10 @@ pub(crate) fn replacements<'m>(
         return Vec::new();
     };
     // A distance is solved as a link, not by its square.
-    if loop_rows.rows.len() != 2 || distance::distance(names, row, coordinates).is_some() {
+    if target.is_across
+        || loop_rows.rows.len() != 2
+        || distance::distance(names, row, coordinates).is_some()
+    {
         return Vec::new();
     }
     let common = target
@@ -355,6 +375,7 @@ fn with_at_most<'m>(
         equation,
         polynomials: Some(polynomials),
         contained,
+        is_across: target.is_across,
     })
 }
 

@@ -15,7 +15,8 @@
 //! 4. recognition: `classify`, `point`, `coupled`;
 //! 5. reductions, one step of a coupled set towards known forms: `rewrite`, `double`, `circle`,
 //!    `body`, `body_circle`, chosen by `eliminate`; `combination` and `separation`, which make a
-//!    coupled set fall apart, and `triangle` above them;
+//!    coupled set fall apart, and `triangle` and `crossing`
+//!    above them;
 //! 6. messages: `naming`, `closest_approach`, `simultaneous`, `redundant`, `frames`,
 //!    `mobility_check`, `unsolved`;
 //! 7. `decompose`, the entry point.
@@ -27,6 +28,7 @@ pub(crate) mod classify;
 pub(crate) mod closest_approach;
 pub(crate) mod combination;
 pub(crate) mod coupled;
+pub(crate) mod crossing;
 pub(crate) mod decompose;
 pub(crate) mod distance;
 pub(crate) mod double;

@@ -233,11 +233,13 @@ fn combined_across_guides<'m>(
         .filter(is_kept)
         .map(|k| coordinates[k].clone())
         .collect();
-    let across = expanded
-        .iter()
-        .map(|expanded| Expanded::new(names, expanded.equation.clone(), &kept))
-        .collect();
-    let mut found = combined(names, across, &kept)?;
+    let rows = expanded.iter().enumerate().map(|(index, row)| {
+        let row = Expanded::new(names, row.equation.clone(), &kept);
+        let is_across = splits.iter().any(|split| split.index == index);
+        if is_across { row.across() } else { row }
+    });
+    let rows = rows.collect();
+    let mut found = combined(names, rows, &kept)?;
     // A loop that stayed as it was is a vector loop again.
     let mut along = Vec::new();
     for split in splits {
