@@ -6,7 +6,7 @@ use linkage_symbolic::{Ex, SymbolId, V2, Vector, numerically_equal};
 use crate::algebra::names::Names;
 use crate::structure::equations::{Coordinate, CoordinateKind, Equation, System};
 use crate::structure::reductions::Reductions;
-use crate::structure::{combination, polynomials, separation};
+use crate::structure::{cancellation, polynomials, set_unknowns};
 
 /// A scalar equation `normal . (point + links) + known = 0`.
 struct Line<'m> {
@@ -56,7 +56,7 @@ pub(crate) fn by_crossing<'m>(
         kind: CoordinateKind::Length(symbol),
         unknown: None,
     }));
-    separation::place_eliminated(names, reductions, &mut equations, &coordinates)?;
+    set_unknowns::place_eliminated(names, reductions, &mut equations, &coordinates)?;
     Some((equations, coordinates))
 }
 
@@ -127,7 +127,7 @@ fn line<'m>(
             continue;
         }
         let mut pairs = along.into_iter().zip(normal.components());
-        let length = pairs.find_map(|(x, n)| combination::ratio_of_terms(x, n))?;
+        let length = pairs.find_map(|(x, n)| cancellation::ratio_of_terms(x, n))?;
         let mut pairs = along.into_iter().zip(normal.components());
         if !pairs.all(|(x, n)| numerically_equal(x, length * n)) {
             return None;
