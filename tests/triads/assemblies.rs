@@ -1,7 +1,7 @@
 //! All assemblies are listed, no other ones, and the chosen one is the one that the estimates mean.
 
 use crate::effort;
-use crate::kinds::{self, Answer};
+use crate::kinds::{self, Answer, Joints};
 use crate::legs::{Point, Pose, characteristic, poses};
 use crate::two_slides;
 use linkage_random::Random;
@@ -50,11 +50,7 @@ fn groups_are_named_after_their_legs() {
     let named = kinds::KINDS
         .iter()
         .map(|kind| (kind.name.to_owned(), kind.mechanism.structure()));
-    // Where the ternary link does not turn, its guides are like those of the frame.
-    let two_slides = two_slides::KINDS
-        .iter()
-        .map(|kind| (kind.name.replace("RP", "PR"), kind.mechanism.structure()));
-    for (name, structure) in named.chain(two_slides) {
+    for (name, structure) in named {
         let legs = |name: &str| {
             let mut legs: Vec<String> = name.split('-').map(String::from).collect();
             legs.sort();
@@ -67,6 +63,18 @@ fn groups_are_named_after_their_legs() {
             (group.class, group.order, legs(group.kind)),
             (3, 3, legs(&name))
         );
+    }
+}
+
+/// Where the ternary link does not turn, the other two legs are a dyad. The leg of two slides follows.
+#[test]
+fn a_leg_of_two_slides_leaves_a_dyad() {
+    for kind in &two_slides::KINDS {
+        let structure = kind.mechanism.structure();
+        let kinds: Vec<&str> = structure.groups.iter().map(|group| group.kind).collect();
+        let rods = kind.joints.iter().filter(|joints| **joints == Joints::Rr);
+        let dyad = ["RPP", "RRP", "RRR"][rods.count()];
+        assert_eq!(kinds, [dyad, "RPP"], "{}", kind.name);
     }
 }
 

@@ -155,7 +155,8 @@ impl Names<'_> {
 pub(crate) fn at_estimates(names: &Names<'_>, nominal: &Nominal, all: &[Ex]) -> Vec<f64> {
     let mut unknowns: Map<SymbolId, f64> = Map::new();
     for angle in &names.angles {
-        let estimate = angle.estimate(nominal);
+        // A link that the compiler introduced is where the points are that it joins.
+        let estimate = angle.drawn + angle.estimate(nominal);
         let values = [estimate.cos(), estimate.sin(), estimate];
         unknowns.extend(angle.symbols().into_iter().zip(values));
     }

@@ -6,19 +6,12 @@
 //! of one plate on one line give an equation without the position of the plate.
 
 use linkage_symbolic::lookup::Map;
-use linkage_symbolic::program::{Binary, Unary};
-use linkage_symbolic::{
-    Ex, Monomial, Node, V2, Vector, numerically_equal, numerically_equal_within, substitute,
-};
+use linkage_symbolic::{Ex, Monomial, V2, Vector, numerically_equal, substitute};
 
 use crate::algebra::names::Names;
 use crate::structure::equations::{Coordinate, CoordinateKind, Equation};
 use crate::structure::polynomials::Polynomials;
-use crate::structure::{distance, equations, polynomials};
-
-/// Terms that differ by less than this share cancel: a thousand roundings. Dimensions that are
-/// written with nine digits and differ by less than a roundoff of these stay different.
-const CANCELLED: f64 = 1e-13;
+use crate::structure::{cancellation, distance, equations, polynomials};
 
 /// An equation and its rows as polynomials in all coordinates, if they are polynomials.
 #[derive(Clone, Debug)]
@@ -27,6 +20,9 @@ pub(crate) struct Expanded<'m> {
     polynomials: Option<Polynomials<'m>>,
     /// The coordinates that it contains.
     pub(crate) contained: Vec<usize>,
+    /// True for the row of a vector loop across a guide: only rows across the same guide are
+    /// subtracted from it, as those of two pins on one line.
+    is_across: bool,
 }
 
 impl<'m> Expanded<'m> {
@@ -41,6 +37,15 @@ impl<'m> Expanded<'m> {
             equation,
             polynomials,
             contained,
+            is_across: false,
+        }
+    }
+
+    /// The same as a row across a guide.
+    pub(crate) fn across(self) -> Self {
+        Self {
+            is_across: true,
+            ..self
         }
     }
 }
@@ -76,6 +81,11 @@ pub(crate) fn differences<'m>(
         let Some(ratio) = ratio(minuend, subtrahend, range.clone()) else {
             continue;
         };
+        let is_across = target.is_across || other.is_across;
+        let is_whole = ratio[0].constant_value().is_some_and(|x| x.abs() == 1.0);
+        if is_across && !is_whole {
+            continue;
+        }
         if !ratios.contains(&ratio) && cancels(minuend, subtrahend, &ratio, range) {
             ratios.push(ratio);
         }
@@ -105,7 +115,10 @@ pub(crate) fn replacements<'m>(
         return Vec::new();
     };
     // A distance is solved as a link, not by its square.
-    if loop_rows.rows.len() != 2 || distance::distance(names, row, coordinates).is_some() {
+    if target.is_across
+        || loop_rows.rows.len() != 2
+        || distance::distance(names, row, coordinates).is_some()
+    {
         return Vec::new();
     }
     let common = target
@@ -230,7 +243,9 @@ fn ratio<'m>(
     let number = |x: f64| a[0].number(x);
     let alike = |sign: f64| {
         let pairs = a.iter().zip(&b);
-        pairs.into_iter().all(|(&a, &b)| equal(a, number(sign) * b))
+        pairs
+            .into_iter()
+            .all(|(&a, &b)| cancellation::equal(a, number(sign) * b))
     };
     let zero = || vec![number(0.0); a.len() - 1];
     for sign in [1.0, -1.0] {
@@ -241,7 +256,7 @@ fn ratio<'m>(
     let is_fixed = a.iter().chain(&b).all(|x| x.is_fixed());
     if !is_fixed {
         let mut pairs = a.iter().zip(&b);
-        let factor = pairs.find_map(|(&a, &b)| ratio_of_terms(a, b))?;
+        let factor = pairs.find_map(|(&a, &b)| cancellation::ratio_of_terms(a, b))?;
         return Some([vec![factor], zero()].concat());
     }
     match (&a[..], &b[..]) {
@@ -249,18 +264,6 @@ fn ratio<'m>(
         (&[x, y], &[u, v]) => Some(Vector([x, y]).turned_back(Vector([u, v])).0.to_vec()),
         _ => None,
     }
-}
-
-/// Returns the ratio of the first term of a sum to the same term of another one, or that of two
-/// values that are known before a call.
-pub(crate) fn ratio_of_terms<'m>(a: Ex<'m>, b: Ex<'m>) -> Option<Ex<'m>> {
-    if a.is_fixed() && b.is_fixed() {
-        return (!b.is_zero()).then(|| a / b);
-    }
-    let (factor, term) = *moving_and_fixed(a).0.first()?;
-    let (others, _) = moving_and_fixed(b);
-    let (divisor, _) = others.into_iter().find(|(_, other)| *other == term)?;
-    Some(factor / divisor)
 }
 
 /// Returns the coefficients of a monomial in a multiple of an equation.
@@ -287,7 +290,7 @@ fn difference_of_columns<'m>(
     };
     a.into_iter()
         .zip(b)
-        .map(|(a, b)| difference(a, b))
+        .map(|(a, b)| cancellation::difference(a, b))
         .collect()
 }
 
@@ -355,67 +358,6 @@ fn with_at_most<'m>(
         equation,
         polynomials: Some(polynomials),
         contained,
+        is_across: target.is_across,
     })
-}
-
-fn equal<'m>(a: Ex<'m>, b: Ex<'m>) -> bool {
-    numerically_equal_within(a, b, CANCELLED)
-}
-
-/// `a - b`, without the terms that both contain.
-fn difference<'m>(a: Ex<'m>, b: Ex<'m>) -> Ex<'m> {
-    let zero = a.number(0.0);
-    if equal(a, b) {
-        return zero;
-    }
-    let (mut terms, first) = moving_and_fixed(a);
-    let (others, second) = moving_and_fixed(b);
-    let mut is_shared = !first.is_zero() && !second.is_zero();
-    for (factor, term) in others {
-        match terms.iter_mut().find(|(_, other)| *other == term) {
-            Some((sum, _)) => {
-                is_shared = true;
-                *sum = less(*sum, factor);
-            }
-            None => terms.push((-factor, term)),
-        }
-    }
-    if !is_shared {
-        return a - b;
-    }
-    terms.retain(|(factor, _)| !factor.is_zero());
-    let terms = terms.into_iter().map(|(factor, term)| factor * term);
-    let fixed = less(first, second);
-    match terms.reduce(|sum, term| sum + term) {
-        Some(sum) => sum + fixed,
-        None => fixed,
-    }
-}
-
-/// The difference of two factors, 0 if it is rounding.
-fn less<'m>(a: Ex<'m>, b: Ex<'m>) -> Ex<'m> {
-    if equal(a, b) { a.number(0.0) } else { a - b }
-}
-
-/// The terms of a sum that are known in a call, with their factors, and the sum of the others.
-/// Sums that are multiplied as a whole stay whole: they are shared with other loops.
-fn moving_and_fixed<'m>(sum: Ex<'m>) -> (Vec<(Ex<'m>, Ex<'m>)>, Ex<'m>) {
-    let one = sum.number(1.0);
-    let ex = |id| sum.graph().ex(id);
-    let mut fixed = sum.number(0.0);
-    let mut moving = Vec::new();
-    let mut open = vec![(one, sum)];
-    while let Some((factor, x)) = open.pop() {
-        match x.node() {
-            _ if x.is_fixed() => fixed += factor * x,
-            Node::Unary(Unary::Neg, a) => open.push((-factor, ex(a))),
-            Node::Binary(Binary::Add, a, b) => open.extend([(factor, ex(b)), (factor, ex(a))]),
-            Node::Binary(Binary::Sub, a, b) => open.extend([(-factor, ex(b)), (factor, ex(a))]),
-            Node::Binary(Binary::Mul, a, b) if ex(a).is_fixed() => {
-                moving.push((factor * ex(a), ex(b)));
-            }
-            _ => moving.push((factor, x)),
-        }
-    }
-    (moving, fixed)
 }

@@ -12,7 +12,8 @@ use crate::structure::mobility_check::MobilityCheck;
 use crate::structure::reductions::Reductions;
 use crate::structure::scope::Scope;
 use crate::structure::{
-    classify, eliminate, equations, matching, mobility_check, point, separation, triangle, unsolved,
+    classify, crossing, eliminate, equations, matching, mobility_check, point, separation,
+    triangle, unsolved,
 };
 
 /// The state of the analysis.
@@ -156,6 +157,15 @@ fn solve_component<'m>(
         if let Some((equations, coordinates)) = turned {
             solve(analysis, equations, coordinates, attempt);
         }
+    } else if has_crossing(analysis, &equations, &coordinates) {
+        return_to(analysis, &before);
+        let Analysis {
+            names, reductions, ..
+        } = analysis;
+        let led = crossing::by_crossing(names, reductions, &equations, &coordinates);
+        if let Some((equations, coordinates)) = led {
+            solve(analysis, equations, coordinates, attempt);
+        }
     }
 }
 
@@ -209,6 +219,18 @@ fn has_triangle<'m>(
     analysis.names.tried(|names| {
         triangle::by_shape(names, nominal, reductions, equations, coordinates).is_some()
     })
+}
+
+/// Checks if two lines of the set cross in one point of a chain.
+fn has_crossing<'m>(
+    analysis: &mut Analysis<'_, 'm>,
+    equations: &[Equation<'m>],
+    coordinates: &[Coordinate],
+) -> bool {
+    let reductions = &analysis.reductions;
+    analysis
+        .names
+        .tried(|names| crossing::by_crossing(names, reductions, equations, coordinates).is_some())
 }
 
 /// Checks if combinations of the loops fall apart. A coupled group stays as it is otherwise: the

@@ -14,19 +14,21 @@
 //!    `parallel_direction`;
 //! 4. recognition: `classify`, `point`, `coupled`;
 //! 5. reductions, one step of a coupled set towards known forms: `rewrite`, `double`, `circle`,
-//!    `body`, `body_circle`, chosen by `eliminate`; `combination` and `separation`, which make a
-//!    coupled set fall apart, and `triangle` above them;
+//!    `body`, `body_circle`, chosen by `eliminate`; `cancellation`, `set_unknowns`, `combination` and
+//!    `separation`, which make a coupled set fall apart, and `triangle` and `crossing` above them;
 //! 6. messages: `naming`, `closest_approach`, `simultaneous`, `redundant`, `frames`,
 //!    `mobility_check`, `unsolved`;
 //! 7. `decompose`, the entry point.
 
 pub(crate) mod body;
 pub(crate) mod body_circle;
+pub(crate) mod cancellation;
 pub(crate) mod circle;
 pub(crate) mod classify;
 pub(crate) mod closest_approach;
 pub(crate) mod combination;
 pub(crate) mod coupled;
+pub(crate) mod crossing;
 pub(crate) mod decompose;
 pub(crate) mod distance;
 pub(crate) mod double;
@@ -50,6 +52,7 @@ pub(crate) mod redundant;
 pub(crate) mod rewrite;
 pub(crate) mod scope;
 pub(crate) mod separation;
+pub(crate) mod set_unknowns;
 pub(crate) mod simultaneous;
 pub(crate) mod space;
 pub(crate) mod triangle;

@@ -8,7 +8,7 @@ use crate::algebra::{Nominal, nominal};
 use crate::structure::distance::Distance;
 use crate::structure::equations::{Coordinate, CoordinateKind, Equation, System};
 use crate::structure::reductions::Reductions;
-use crate::structure::{distance, equations, separation};
+use crate::structure::{distance, equations, set_unknowns};
 
 /// A distance of fixed length in the plane.
 struct Side<'m> {
@@ -34,7 +34,7 @@ pub(crate) fn by_shape<'m>(
     equations: &[Equation<'m>],
     coordinates: &[Coordinate],
 ) -> Option<System<'m>> {
-    if equations.len() < 4 || !separation::are_estimated(names, equations, coordinates) {
+    if equations.len() < 4 || !set_unknowns::are_estimated(names, equations, coordinates) {
         return None;
     }
     let Triangle {
@@ -75,7 +75,7 @@ pub(crate) fn by_shape<'m>(
         kind: CoordinateKind::Angle(angle),
         unknown: None,
     }));
-    separation::place_eliminated(names, reductions, &mut equations, &coordinates)?;
+    set_unknowns::place_eliminated(names, reductions, &mut equations, &coordinates)?;
     Some((equations, coordinates))
 }
 

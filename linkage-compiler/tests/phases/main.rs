@@ -8,6 +8,7 @@ mod forms_space;
 mod golden;
 mod growth;
 mod intervals;
+mod joints;
 mod margins;
 mod part_rates;
 mod parts;

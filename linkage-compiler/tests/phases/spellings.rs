@@ -444,3 +444,51 @@ fn two_legs_by_distances_in_one_joint_of_a_plate() {
         [&drawn, &short].map(|one| one.assemblies(&dimensions, &reference).expect("some").len());
     assert_eq!(all[0], all[1]);
 }
+
+/// The end of a link from an unknown point is held by two lines.
+#[test]
+fn a_joint_where_two_lines_cross() {
+    for (first, second) in [
+        (
+            "dot(end, dir(phi + 90deg)) = 0",
+            "dot(end - (120mm, 0mm), dir(phi / 4 + 20deg)) = 0",
+        ),
+        (
+            "0 = dot(dir(phi + 90deg), -end)",
+            "cross(dir(phi / 4 + 110deg), (120mm, 0mm) - end) = 0",
+        ),
+    ] {
+        let held =
+            format!("loop {first}; loop {second}; loop dot(p, dir(phi / 2 - 90deg)) = -20mm;");
+        let items = "input phi = 40deg in 20deg..60deg; unknown t = 10deg;";
+        let text = |items: &str, point: &str| {
+            format!(
+                "pub struct M {{ unit mm; {items} {point} {held} }}
+                 impl M {{ pub fn f(phi) -> F {{ p, end, v: velocity(p) }} }}"
+            )
+        };
+        let drawn = text(
+            items,
+            "unknown p = (50mm, 70mm); let end = p + polar(60mm, t);",
+        );
+        let short = text(
+            items,
+            "unknown end = (110mm, 80mm); let p = end - polar(60mm, t);",
+        );
+        assert_eq!(groups(&drawn), groups(&short), "{drawn}");
+        let mechanisms =
+            [&drawn, &short].map(|text| Mechanism::compile(text).expect("a mechanism"));
+        let assembled = mechanisms
+            .each_ref()
+            .map(|one| one.assemble(&[]).expect("it can be assembled"));
+        for position in positions(&mechanisms[0]) {
+            let [a, b] = [0, 1].map(|k| assembled[k].call(0, &position));
+            let mut pairs = a.iter().zip(&b);
+            assert!(pairs.all(|(a, b)| (a - b).abs() <= ROUNDING), "{a:?} {b:?}");
+        }
+        let counts = mechanisms
+            .each_ref()
+            .map(|one| one.compiled().functions[0].called.count.total());
+        assert!(counts[0] <= counts[1] + FURTHER, "{counts:?}: {drawn}");
+    }
+}
