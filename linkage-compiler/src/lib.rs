@@ -117,7 +117,8 @@ pub fn check_all(body: TokenStream) -> Vec<Checked> {
 
 /// Returns mechanisms as a text without joints and links, which are written as the parameters,
 /// unknowns, points and loops that they stand for. Comments other than doc comments are not kept.
-/// A text with mistakes gives what could be read; [`check_all`] reports them.
+/// `None` if there are mistakes in joints and links, or in words and signs; [`check_all`] reports
+/// them. Whether the loops can be solved is not asked.
 ///
 /// ```
 /// use linkage_compiler::loops;
@@ -131,13 +132,14 @@ pub fn check_all(body: TokenStream) -> Vec<Checked> {
 ///         link crank: a, b at phi;
 ///     }";
 /// let text = loops(text.parse().expect("brackets have partners"));
-/// assert!(text.contains("let b = a + polar(crank.length, crank.angle);"));
+/// assert!(text.expect("it has no mistake").contains("let b = a + polar(crank.length, crank.angle);"));
 /// ```
-pub fn loops(body: TokenStream) -> String {
+pub fn loops(body: TokenStream) -> Option<String> {
     let mut diagnostics = diagnostic::Diagnostics::default();
     let definitions = syntax::parse(body, &mut diagnostics);
     let definitions = model::expand(definitions, &mut diagnostics);
-    definitions.iter().map(syntax::mechanism_text).collect()
+    let is_sound = diagnostics.is_empty();
+    is_sound.then(|| definitions.iter().map(syntax::mechanism_text).collect())
 }
 
 /// Reads a value that is given apart from a mechanism, as on a command line: that of a parameter of

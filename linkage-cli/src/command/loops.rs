@@ -17,11 +17,12 @@ pub(super) struct Options {
     file: PathBuf,
 }
 
-/// Prints the mechanisms; nothing if one of them has a mistake.
+/// Prints the mechanisms. Loops that cannot be solved are printed, too: their messages count them.
 pub(super) fn run(options: &Options) -> Result<(), Failure> {
     let source = Source::read(&options.file)?;
-    checked(&source)?;
+    let result = checked(&source);
     let calls = source.calls().iter();
-    let text: String = calls.map(|call| loops(call.tokens.clone())).collect();
-    print(&text)
+    let text: Option<String> = calls.map(|call| loops(call.tokens.clone())).collect();
+    print(&text.unwrap_or_default())?;
+    result.map(|_| ())
 }

@@ -2,7 +2,7 @@
 
 use std::fs;
 
-use crate::{folder, printed, refused};
+use crate::{folder, linkage, printed, refused};
 
 const LINKS: &str = include_str!("../../../linkage-language/src/model/tests/links.mech");
 
@@ -56,4 +56,24 @@ fn mistakes_are_reported() {
     fs::write(folder.join("a.mech"), text).expect("it can be written");
     let told = refused(&folder, &["loops", "a.mech"], 1);
     assert!(told.contains("unknown joint `b`"), "{told}");
+}
+
+#[test]
+fn loops_that_cannot_be_solved_are_shown() {
+    let folder = folder("loops_unsolved");
+    let text = "struct A {
+        unit mm;
+        input phi = 90deg;
+        joint a = (0mm, 0mm), b = (0mm, 20mm), c = (50mm, 60mm);
+        link frame: a;
+        link crank: a, b at phi;
+        link rod: b, c;
+    }";
+    fs::write(folder.join("a.mech"), text).expect("it can be written");
+    let output = linkage(&folder, &["loops", "a.mech"]);
+    assert_eq!(output.status.code(), Some(1));
+    let told = String::from_utf8_lossy(&output.stderr).into_owned();
+    assert!(told.contains("`rod.angle` is in no loop"), "{told}");
+    let shown = String::from_utf8_lossy(&output.stdout).into_owned();
+    assert!(shown.contains("unknown rod.angle = "), "{shown}");
 }

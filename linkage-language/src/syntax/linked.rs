@@ -25,6 +25,11 @@ vocabulary! {
     }
 }
 
+/// Names of clauses and quantities of links.
+const LINK_WORDS: [&str; 8] = [
+    "about", "angle", "at", "inertia", "length", "mass", "radius", "start",
+];
+
 const LINK: &str = "link NAME: joint, joint";
 const SLIDER: &str = "slider NAME: joint on LINK along joint, joint";
 
@@ -50,6 +55,11 @@ impl Parser<'_> {
         let mut joints = Vec::new();
         loop {
             let name = self.name("a name after `joint`")?;
+            if LINK_WORDS.contains(&name.to_string().as_str()) {
+                let fact = format!("a joint cannot be called `{name}`, which is a word of links");
+                self.diagnostics
+                    .error_with_help((&name).into(), fact, "choose another name");
+            }
             self.equals("write where it is drawn: `joint NAME = (x, y);`")?;
             let position = self.toleranced()?;
             if let Toleranced::Single { nominal, .. } = &position

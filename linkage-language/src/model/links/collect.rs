@@ -67,8 +67,15 @@ pub(super) fn collect<'a>(
                 let links: Vec<usize> = links
                     .filter_map(|name| numbers.link(name, diagnostics))
                     .collect();
-                let pairs = links.windows(2).map(|pair| [pair[0], pair[1]]);
-                linkage.welds.extend(pairs);
+                for pair in links.windows(2) {
+                    if pair[0] == pair[1] {
+                        let name = &linkage.links[pair[0]].name;
+                        let fact = format!("the link `{name}` is welded to itself");
+                        let help = "name another link";
+                        diagnostics.error_with_help((&item.links[0]).into(), fact, help);
+                    }
+                    linkage.welds.push([pair[0], pair[1]]);
+                }
             }
         }
     }
@@ -126,6 +133,14 @@ fn add_joint<'a>(
     });
 }
 
+/// Reports a link or a slider with the name of a joint: its quantities would hide the coordinates.
+fn refuse_name_of_joint(numbers: &Numbers, name: &Ident, diagnostics: &mut Diagnostics) {
+    if numbers.joints.contains_key(&name.to_string()) {
+        let fact = format!("`{name}` is a joint already");
+        diagnostics.error_with_help(name.into(), fact, "choose another name");
+    }
+}
+
 fn add_link<'a>(
     linkage: &mut Linkage<'a>,
     numbers: &mut Numbers,
@@ -165,6 +180,7 @@ fn add_link<'a>(
         frame.joints.extend(joints);
         return;
     }
+    refuse_name_of_joint(numbers, &item.name, diagnostics);
     if numbers.links.contains_key(&text) {
         let fact = format!("the link `{text}` is declared twice");
         let help = "write all of its joints in one place, or choose another name";
@@ -205,6 +221,7 @@ fn add_slider<'a>(
     points: &[String],
     diagnostics: &mut Diagnostics,
 ) {
+    refuse_name_of_joint(numbers, &item.name, diagnostics);
     let pin = numbers.joint(linkage, &item.pin, points, diagnostics);
     let guide = numbers.link(&item.guide, diagnostics);
     let block = item

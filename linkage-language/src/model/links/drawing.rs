@@ -13,6 +13,10 @@ use crate::syntax::{
 /// Nested names and operations of a drawn position: more are a mistake, or a circle of names.
 const DEPTH: usize = 64;
 
+/// A drawing that is further from the reference of an input than this, in radians or as a part of
+/// the length, is a mistake.
+pub(super) const DRAWN_APART: f64 = 0.02;
+
 pub(super) struct Drawing {
     values: Values,
     /// The position of each joint; `None` for points that are not drawn.
@@ -123,6 +127,15 @@ impl Drawing {
         }
     }
 
+    /// Returns the number of an angle in radians, if it has one.
+    pub(super) fn angle(&self, expr: &Expr) -> Option<f64> {
+        let is_angle = |expr: &Expr| match &expr.kind {
+            ExprKind::Number { suffix, .. } => find_unit(suffix).is_some_and(|unit| unit.angle),
+            _ => true,
+        };
+        is_angle(expr).then(|| self.number(expr)).flatten()
+    }
+
     /// Returns the coordinates of a vector of the plane.
     pub(super) fn coordinates(&self, vector: &Expr) -> Option<[f64; 2]> {
         match self.evaluate(vector, DEPTH)?[..] {
@@ -158,6 +171,16 @@ impl Drawing {
                 }
             }
             ExprKind::Tuple(components) => {
+                // A length without its unit is reported where the value is read.
+                let is_bare = |expr: &Expr| match &expr.kind {
+                    ExprKind::Number { text, suffix } => {
+                        suffix.is_empty() && text.parse::<f64>().is_ok_and(|number| number != 0.0)
+                    }
+                    _ => false,
+                };
+                if components.iter().any(is_bare) {
+                    return None;
+                }
                 let components = components.iter().map(scalar);
                 components.collect::<Option<Vec<f64>>>()?
             }

@@ -1,6 +1,6 @@
 //! The items that joints and links become.
 
-use super::drawing::{Drawing, drawing, is_spatial, nominal};
+use super::drawing::{DRAWN_APART, Drawing, drawing, is_spatial, nominal};
 use super::linkage::{FRAME, Linkage};
 use super::locations::{self, angle, angle_of_line, drawn_angle, point, position};
 use super::nodes::{call, difference, negative, number, sum};
@@ -11,16 +11,13 @@ use super::slides::{
     along, drawn_direction, drawn_position, guide, leads_on, point_in_slot, slot_angle, start_item,
     start_joint,
 };
-use super::{mechanics, space, wheels};
+use super::{drawn_faults, mechanics, space, wheels};
 use crate::diagnostic::{Diagnostics, SourceSpan};
 use crate::model::types::Function;
 use crate::syntax::{
-    Expr, Item, ItemName, LoopItem, MechanismDef, NamedItem, ParamItem, Toleranced, UnknownItem,
+    Expr, ExprKind, Item, ItemName, LoopItem, MechanismDef, NamedItem, ParamItem, Toleranced,
+    UnknownItem,
 };
-
-/// A drawing that is further from the reference of an input than this, in radians or as a part of
-/// the length, is a mistake.
-const DRAWN_APART: f64 = 0.02;
 
 /// Returns the items that joints and links stand for.
 pub(super) fn items(
@@ -30,6 +27,10 @@ pub(super) fn items(
 ) -> Vec<Item> {
     let drawing = drawing(definition, linkage);
     if is_spatial(linkage) {
+        drawn_faults::refuse_mixed_coordinates(linkage, diagnostics);
+        if !diagnostics.is_empty() {
+            return Vec::new();
+        }
         let fixed = fixed_joints(linkage, &linkage.links[FRAME].joints, &drawing, diagnostics);
         return space::items(linkage, &drawing, fixed, diagnostics);
     }
@@ -42,7 +43,9 @@ pub(super) fn items(
         drawing: &drawing,
         plan: &plan,
     };
+    drawn_faults::report(&sheet, diagnostics);
     let mut items = fixed_joints(linkage, &bodies.list[FRAME].joints, &drawing, diagnostics);
+    items.extend(angles_of_the_frame(&sheet));
     items.extend(locations::items(linkage, &bodies, &drawing, diagnostics));
     let sliders = linkage.sliders.iter();
     items.extend(sliders.filter_map(|slider| start_item(linkage, slider, &drawing)));
@@ -85,6 +88,22 @@ fn fixed_joints(
         });
     }
     items
+}
+
+/// Returns the angles of links that are welded to the frame.
+fn angles_of_the_frame(sheet: &Sheet) -> Vec<Item> {
+    let linkage = sheet.linkage;
+    let links = sheet.bodies.list[FRAME].links.iter();
+    links
+        .filter(|link| **link != FRAME)
+        .filter_map(|link| {
+            let name = &linkage.links[*link].name;
+            Some(Item::Let(NamedItem {
+                name: ItemName::of_link(name.clone(), super::nodes::ident("angle", name.span())),
+                value: drawn_angle(linkage, *link, sheet.drawing)?,
+            }))
+        })
+        .collect()
 }
 
 /// Reports axes of hinges, which all have one direction in the plane.
@@ -377,7 +396,7 @@ fn check_angle(sheet: &Sheet, link: usize, at: &Expr, diagnostics: &mut Diagnost
         linkage, drawing, ..
     } = *sheet;
     let item = &linkage.links[link];
-    let reference = drawing.number(&drawing.at_reference(at));
+    let reference = drawing.angle(&drawing.at_reference(at));
     let vector = drawing.vector(item.joints[0], item.joints[1]);
     let drawn = vector.and_then(|vector| drawing.coordinates(&vector));
     let (Some(reference), Some([x, y])) = (reference, drawn) else {
@@ -392,8 +411,12 @@ fn check_angle(sheet: &Sheet, link: usize, at: &Expr, diagnostics: &mut Diagnost
             "`{}` is drawn at {drawn} deg, but its input is {reference} deg at the reference",
             item.name
         );
-        let help =
-            format!("write `{drawn}deg` as the reference of the input, or draw the link there");
+        let help = match at.kind {
+            ExprKind::Name(_) => {
+                format!("write `{drawn}deg` as the reference of the input, or draw the link there")
+            }
+            _ => "change the reference of the input, or draw the link there".to_owned(),
+        };
         diagnostics.error_with_help((&item.name).into(), fact, help);
     }
 }

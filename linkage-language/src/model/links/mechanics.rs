@@ -134,7 +134,7 @@ fn body_items(sheet: &Sheet, body: usize, from: usize, taken: &mut BTreeSet<Stri
     let lead = sheet.bodies.list[body].lead();
     let sliders = sheet.linkage.sliders.iter();
     let joint = match sheet.plan.seats[from] {
-        Some(seat) if seat != body => pin(sheet, from, seat, taken),
+        Some(seat) if seat != body => pin(sheet, from, body, taken),
         _ => {
             let mut sliders = sliders.filter(|slider| slider.pin == from);
             let slider = sliders
@@ -227,7 +227,10 @@ fn rod_name(cylinder: &Ident) -> Ident {
 fn pin(sheet: &Sheet, joint: usize, body: usize, taken: &mut BTreeSet<String>) -> JointPart {
     let name = &sheet.linkage.joints[joint].name;
     let seat = sheet.plan.seats[joint].unwrap_or(FRAME);
-    let text = match taken.contains(&name.to_string()) {
+    let bodies = sheet.bodies.list.iter();
+    let count = bodies.filter(|body| body.joints.contains(&joint)).count();
+    // With more than two bodies, the name tells on which of them the force acts.
+    let text = match count > 2 || taken.contains(&name.to_string()) {
         true => format!("{name}_{}", body_name(sheet, body)),
         false => name.to_string(),
     };

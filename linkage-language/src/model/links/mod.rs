@@ -6,6 +6,7 @@
 
 mod collect;
 mod drawing;
+mod drawn_faults;
 mod link_items;
 mod linkage;
 mod locations;

@@ -35,6 +35,9 @@ fn relation(sheet: &Sheet, pair: &Wheels) -> Item {
 fn turned(sheet: &Sheet, pair: &Wheels, wheel: usize) -> Expr {
     let since = |link: usize| {
         let span = pair.item.span;
+        if sheet.bodies.of_link[link] == FRAME {
+            return number("0", "deg", span);
+        }
         difference(angle(sheet.linkage, link), reference(sheet, link, span))
     };
     let carrier = sheet.bodies.of_link[pair.carrier];

@@ -204,6 +204,82 @@ fn mistakes_in_links() {
             "`c` is a joint of `rocker`, and cannot slide on it",
         ),
         (
+            [
+                FRAME,
+                CRANK,
+                "link coupler: b, c; link rocker: c, d; weld rocker, rocker;",
+            ],
+            "the link `rocker` is welded to itself",
+        ),
+        (
+            [
+                FRAME,
+                CRANK,
+                "link coupler: b, c; joint length = (3mm, 3mm); link rocker: c, d, length;",
+            ],
+            "a joint cannot be called `length`, which is a word of links",
+        ),
+        (
+            [FRAME, CRANK, "link coupler: b, c; link d: c, d;"],
+            "`d` is a joint already",
+        ),
+        (
+            [
+                FRAME,
+                CRANK,
+                "link coupler: b, c; slider c: c on frame along a, d;",
+            ],
+            "`c` is a joint already",
+        ),
+        (
+            [
+                FRAME,
+                CRANK,
+                "link coupler: b, c; slider s: c on frame along a, d;",
+            ],
+            "`c` is drawn 60 mm beside the line that it slides on",
+        ),
+        (
+            [
+                FRAME,
+                CRANK,
+                "input s = 100mm; link coupler: b, c; link rocker: c, d length s;",
+            ],
+            "`rocker` is drawn with a length of 60 mm, but has 100 mm at the reference of its input",
+        ),
+        (
+            [
+                FRAME,
+                CRANK,
+                "link coupler: b, c; link rocker: c, d; gears crank, coupler teeth 1, 2;",
+            ],
+            "the wheel `coupler` has no pivot on `frame`",
+        ),
+        (
+            [
+                FRAME,
+                CRANK,
+                "link coupler: b, c; link rocker: c, d; gears crank, crank teeth 1, 2;",
+            ],
+            "both wheels are one body",
+        ),
+        (
+            [
+                FRAME,
+                CRANK,
+                "link coupler: b, c; link rocker: c, d; gears crank, rocker teeth 0, 2;",
+            ],
+            "a wheel of no size",
+        ),
+        (
+            [
+                FRAME,
+                CRANK,
+                "joint k = (50mm, 60mm); link coupler: c, k; link rocker: c, d;",
+            ],
+            "`c` and `k` of `coupler` are drawn at one place",
+        ),
+        (
             [FRAME, "link crank: a, b about (0, 0, 1) at phi;", REST],
             "the link `crank` turns about an axis, but is drawn in the plane",
         ),
@@ -244,6 +320,10 @@ fn mistakes_in_links_of_space() {
         (
             "link rod: b, c; link rocker: c, d about (0, 0, 1);",
             "the hinge of the link `rocker` is in no joint that is reached",
+        ),
+        (
+            "joint k = (5mm, 6mm); link rod: b, c; link rocker: d, c, k about (1, 0, 0);",
+            "`k` has two coordinates, but other joints have three",
         ),
         (
             "link rod: b, c; link rocker: c;",

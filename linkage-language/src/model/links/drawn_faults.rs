@@ -1,0 +1,175 @@
+//! Mistakes in a drawing: joints at one place, pins beside their slots, cylinders of another length,
+//! wheels without a pivot on their carrier.
+
+use super::drawing::{DRAWN_APART, nominal};
+use super::linkage::{FRAME, Linkage, Path};
+use super::sheet::Sheet;
+use super::slides::start_joint;
+use crate::diagnostic::Diagnostics;
+use crate::syntax::{ExprKind, Toleranced};
+
+/// Lengths in metres below this part of the largest coordinate are none.
+const NONE: f64 = 1e-9;
+
+/// Reports the mistakes of a drawing in the plane.
+pub(super) fn report(sheet: &Sheet, diagnostics: &mut Diagnostics) {
+    report_joints_at_one_place(sheet, diagnostics);
+    report_cylinders(sheet, diagnostics);
+    report_pins_beside_slots(sheet, diagnostics);
+    report_wheels(sheet, diagnostics);
+}
+
+/// Returns the distance of two joints as drawn.
+fn distance(sheet: &Sheet, from: usize, to: usize) -> Option<f64> {
+    let vector = sheet.drawing.vector(from, to)?;
+    let [x, y] = sheet.drawing.coordinates(&vector)?;
+    Some(x.hypot(y))
+}
+
+/// Returns the largest coordinate of all joints.
+fn size(sheet: &Sheet) -> f64 {
+    let positions = sheet.drawing.positions.iter().flatten();
+    let coordinates = positions.filter_map(|position| sheet.drawing.coordinates(position));
+    coordinates
+        .flatten()
+        .fold(0.0, |size, coordinate| size.max(coordinate.abs()))
+}
+
+fn report_joints_at_one_place(sheet: &Sheet, diagnostics: &mut Diagnostics) {
+    let linkage = sheet.linkage;
+    for link in &linkage.links[FRAME + 1..] {
+        let [first, second, ..] = link.joints[..] else {
+            continue;
+        };
+        if link.length.is_none()
+            && distance(sheet, first, second).is_some_and(|length| length <= NONE * size(sheet))
+        {
+            let [one, other] = [first, second].map(|joint| &linkage.joints[joint].name);
+            let fact = format!(
+                "`{one}` and `{other}` of `{}` are drawn at one place",
+                link.name
+            );
+            let help =
+                "draw one of them elsewhere; bodies that meet in a joint name the same joint";
+            diagnostics.error_with_help((&link.name).into(), fact, help);
+        }
+    }
+}
+
+fn report_cylinders(sheet: &Sheet, diagnostics: &mut Diagnostics) {
+    for link in &sheet.linkage.links[FRAME + 1..] {
+        let ([first, second, ..], Some(given)) = (&link.joints[..], link.length) else {
+            continue;
+        };
+        let length = nominal(given);
+        if sheet.drawing.is_constant(&length) {
+            continue;
+        }
+        let reference = sheet.drawing.number(&sheet.drawing.at_reference(&length));
+        let drawn = distance(sheet, *first, *second);
+        if let (Some(reference), Some(drawn)) = (reference, drawn)
+            && (reference - drawn).abs() > DRAWN_APART * reference.abs().max(drawn)
+        {
+            let [reference, drawn] = [reference, drawn].map(in_millimetres);
+            let fact = format!(
+                "`{}` is drawn with a length of {drawn} mm, but has {reference} mm at the reference of its input",
+                link.name
+            );
+            let help = "change the reference of the input, or draw the link with this length";
+            diagnostics.error_with_help((&link.name).into(), fact, help);
+        }
+    }
+}
+
+fn report_pins_beside_slots(sheet: &Sheet, diagnostics: &mut Diagnostics) {
+    for slider in &sheet.linkage.sliders {
+        let direction = match slider.path {
+            Path::Line([first, second]) => {
+                let vector = sheet.drawing.vector(first, second);
+                vector.and_then(|vector| sheet.drawing.coordinates(&vector))
+            }
+            Path::Direction(angle, _) => {
+                let angle = sheet.drawing.angle(&sheet.drawing.at_reference(angle));
+                angle.map(|angle| [angle.cos(), angle.sin()])
+            }
+        };
+        let Some(start) = start_joint(slider) else {
+            continue;
+        };
+        let pin = sheet.drawing.vector(start, slider.pin);
+        let pin = pin.and_then(|vector| sheet.drawing.coordinates(&vector));
+        let (Some([u, v]), Some([x, y])) = (direction, pin) else {
+            continue;
+        };
+        let beside = (x * v - y * u).abs() / u.hypot(v);
+        if beside > DRAWN_APART * size(sheet) {
+            let pin = &sheet.linkage.joints[slider.pin].name;
+            let fact = format!(
+                "`{pin}` is drawn {} mm beside the line that it slides on",
+                in_millimetres(beside)
+            );
+            let help = "draw it on the line, or the line through it";
+            diagnostics.error_with_help((&slider.name).into(), fact, help);
+        }
+    }
+}
+
+/// A number of millimetres with four digits after the point at most.
+fn in_millimetres(metres: f64) -> f64 {
+    (metres * 1e7).round() / 1e4
+}
+
+fn report_wheels(sheet: &Sheet, diagnostics: &mut Diagnostics) {
+    let body = |link: usize| sheet.bodies.of_link[link];
+    for pair in &sheet.linkage.wheels {
+        let span = pair.item.span;
+        let [one, other] = pair.wheels;
+        if body(one) == body(other) {
+            diagnostics.error_with_help(span, "both wheels are one body", "name two links");
+            continue;
+        }
+        let carrier = &sheet.bodies.list[body(pair.carrier)].joints;
+        for wheel in pair.wheels {
+            let joints = &sheet.bodies.list[body(wheel)].joints;
+            // A wheel that is fixed needs no pivot.
+            let pivots = joints.iter().any(|joint| carrier.contains(joint));
+            if body(wheel) != FRAME && !pivots {
+                let wheel = &sheet.linkage.links[wheel].name;
+                let carrier = &sheet.linkage.links[pair.carrier].name;
+                let fact = format!("the wheel `{wheel}` has no pivot on `{carrier}`");
+                let help = "name the link that carries both pivots after `on`, and let each wheel share a \
+                            joint with it";
+                diagnostics.error_with_help(span, fact, help);
+            }
+        }
+        for size in pair.sizes {
+            if sheet.drawing.number(size) == Some(0.0) {
+                diagnostics.error_with_help(size.span, "a wheel of no size", "write its teeth");
+            }
+        }
+    }
+}
+
+/// Reports joints with two coordinates among those with three.
+pub(super) fn refuse_mixed_coordinates(linkage: &Linkage, diagnostics: &mut Diagnostics) {
+    let drawn = linkage
+        .joints
+        .iter()
+        .filter_map(|joint| Some((joint, joint.drawn?)));
+    let flat = drawn.filter(|(_, position)| match position {
+        Toleranced::Single { nominal, .. } => match &nominal.kind {
+            ExprKind::Tuple(components) => components.len() == 2,
+            _ => false,
+        },
+        Toleranced::Components { components, .. } => components.len() == 2,
+    });
+    for (joint, _) in flat {
+        let fact = format!(
+            "`{}` has two coordinates, but other joints have three",
+            joint.name
+        );
+        let help =
+            "draw all joints in the plane or all in space; decimals are written with a point";
+        diagnostics.error_with_help((&joint.name).into(), fact, help);
+    }
+}
