@@ -24,6 +24,7 @@ macro_rules! templates {
 
 templates! {
     "slider": "a slider-crank",
+    "joints": "a press by its joints and links, with its forces",
     "four-bar": "a four-bar with the path of a coupler point",
     "wiper": "a wiper drive with two arms",
     "clamp": "a toggle clamp with the force at its spindle",

@@ -20,6 +20,7 @@ macro_rules! templates {
 
 templates![
     "slider",
+    "joints",
     "four-bar",
     "wiper",
     "clamp",

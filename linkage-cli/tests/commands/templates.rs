@@ -18,7 +18,7 @@ fn each_template_is_a_mechanism_with_a_page() {
     let folder = folder("templates");
     let list = printed(&folder, &["new", "--list"]);
     let templates = templates(&list);
-    assert_eq!(templates.len(), 15, "{list}");
+    assert_eq!(templates.len(), 16, "{list}");
     for (name, about) in templates {
         let file = format!("{name}.mech");
         let said = printed(&folder, &["new", &file, "--from", name]);
