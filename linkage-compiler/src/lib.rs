@@ -117,8 +117,8 @@ pub fn check_all(body: TokenStream) -> Vec<Checked> {
 
 /// Returns mechanisms as a text without joints and links, which are written as the parameters,
 /// unknowns, points and loops that they stand for. Comments other than doc comments are not kept.
-/// `None` if there are mistakes in joints and links, or in words and signs; [`check_all`] reports
-/// them. Whether the loops can be solved is not asked.
+/// `None` if there are mistakes in joints and links, or in the syntax; [`check_all`] reports
+/// them. Loops that cannot be solved are written, too.
 ///
 /// ```
 /// use linkage_compiler::loops;
