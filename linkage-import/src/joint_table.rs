@@ -11,10 +11,15 @@ use std::collections::BTreeMap;
 
 use csv::{ReaderBuilder, StringRecord};
 
+use crate::csv_lines::line_number;
 use crate::document::{Document, FRAME, Input, InputKind, LengthUnit, MOST_JOINTS, Slot, SlotPath};
 use crate::error::ImportError;
 use crate::names::shown;
 use crate::number::{decimal, half_digit};
+
+mod single_links;
+
+use single_links::JointLinks;
 
 const COLUMNS: [&str; 5] = ["name", "kind", "x", "y", "links"];
 const OTHER_COLUMNS: [&str; 2] = ["along", "input"];
@@ -22,6 +27,7 @@ const OTHER_COLUMNS: [&str; 2] = ["along", "input"];
 /// Reads a table.
 pub(crate) fn read(content: &[u8]) -> Result<Document, ImportError> {
     let text = String::from_utf8_lossy(content);
+    let text = text.trim_start_matches('\u{feff}');
     let first = text.lines().next().unwrap_or_default();
     let separators = [b';', b'\t'].into_iter();
     let mut separators = separators.filter(|sign| first.contains(char::from(*sign)));
@@ -30,7 +36,7 @@ pub(crate) fn read(content: &[u8]) -> Result<Document, ImportError> {
         .trim(csv::Trim::All)
         .flexible(true)
         .comment(Some(b'#'))
-        .from_reader(text.trim_start_matches('\u{feff}').as_bytes());
+        .from_reader(text.as_bytes());
     let header = reader.headers().map_err(broken)?.clone();
     let mut table = table(&header)?;
     let mut rows = Vec::new();
@@ -40,21 +46,36 @@ pub(crate) fn read(content: &[u8]) -> Result<Document, ImportError> {
             return Err(ImportError::new(format!("more than {MOST_JOINTS} rows")));
         }
     }
+    let in_line = |row: &StringRecord, error: ImportError| error.in_line(line_number(text, row));
     for row in &rows {
-        joint(&mut table, row)?;
+        joint(&mut table, row).map_err(|error| in_line(row, error))?;
     }
     if table.document.joints.is_empty() {
         return Err(ImportError::new("the table has no joints"));
     }
     for row in &rows {
-        connect(&mut table, row)?;
+        connect(&mut table, row).map_err(|error| in_line(row, error))?;
     }
+    let warnings = single_links::warnings(&links_by_joint(&table, &rows), text);
+    table.document.warnings.extend(warnings);
     table.document.band = half_digit(table.decimals);
     table.document.remarks.push(format!(
         "Coordinates have {} decimals at most: half of the last one is taken as their rounding.",
         table.decimals
     ));
     Ok(table.document)
+}
+
+/// Returns the links that each row names, but not the joints of cylinders.
+fn links_by_joint<'t>(table: &Table, rows: &'t [StringRecord]) -> Vec<JointLinks<'t>> {
+    let is_joint = |row: &&StringRecord| !table.cell(row, "kind").eq_ignore_ascii_case("cylinder");
+    let joints = rows.iter().filter(is_joint);
+    let joints = joints.map(|row| JointLinks {
+        row,
+        joint: table.cell(row, "name"),
+        links: table.cell(row, "links").split_whitespace().collect(),
+    });
+    joints.collect()
 }
 
 struct Table {

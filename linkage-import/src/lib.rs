@@ -9,6 +9,7 @@
 mod page {}
 
 mod choose;
+mod csv_lines;
 mod document;
 mod error;
 mod format;

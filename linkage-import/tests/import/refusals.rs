@@ -169,3 +169,19 @@ fn messages_name_the_fault() {
         assert!(message.starts_with(|letter: char| letter.is_lowercase() || letter == '`'));
     }
 }
+
+/// Comments, empty lines and line ends of both kinds count.
+#[test]
+fn messages_about_tables_name_the_line() {
+    let table = "\u{feff}name,kind,x,y,links\n# pivots\n\no,pin,0,0,frame a\np,pin,1,z,a\n";
+    let at_fault = "line 5: y of `p` is `z`, which is no number";
+    assert_eq!(refused(table, Format::JointTable), at_fault);
+    let with_returns = table.replace('\n', "\r\n");
+    assert_eq!(refused(&with_returns, Format::JointTable), at_fault);
+    let kind = table.replace("1,z", "1,2").replace("p,pin", "p,spring");
+    let message = refused(&kind, Format::JointTable);
+    assert!(
+        message.starts_with("line 5: `p` is of the kind"),
+        "{message}"
+    );
+}
