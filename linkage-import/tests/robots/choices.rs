@@ -174,3 +174,16 @@ fn limits_are_held() {
     let said = refused(&text, "a.xml", &Options::default());
     assert!(said.contains("too large"), "{said}");
 }
+
+#[test]
+fn names_that_the_file_lacks_are_in_the_message() {
+    let renamed = |file: &str, from: &str, to: &str| {
+        let text = text_of(file);
+        assert!(text.contains(from), "{file}");
+        refused(&text.replacen(from, to, 1), file, &Options::default())
+    };
+    let said = renamed("four_bar.xml", "site1=\"", "site1=\"no_");
+    assert!(said.contains("names the site `no_"), "{said}");
+    let said = renamed("four_bar.urdf", "<link1 link=\"", "<link1 link=\"no_");
+    assert!(said.contains("names the link `no_"), "{said}");
+}
