@@ -15,7 +15,7 @@ use crate::csv_lines::line_number;
 use crate::document::{Document, FRAME, Input, InputKind, LengthUnit, MOST_JOINTS, Slot, SlotPath};
 use crate::error::ImportError;
 use crate::names::shown;
-use crate::number::{decimal, half_digit};
+use crate::number::{decimal, half_digit, with_point};
 
 mod single_links;
 
@@ -31,14 +31,16 @@ pub(crate) fn read(content: &[u8]) -> Result<Document, ImportError> {
     let first = text.lines().next().unwrap_or_default();
     let separators = [b';', b'\t'].into_iter();
     let mut separators = separators.filter(|sign| first.contains(char::from(*sign)));
+    let separator = separators.next().unwrap_or(b',');
     let mut reader = ReaderBuilder::new()
-        .delimiter(separators.next().unwrap_or(b','))
+        .delimiter(separator)
         .trim(csv::Trim::All)
         .flexible(true)
         .comment(Some(b'#'))
         .from_reader(text.as_bytes());
     let header = reader.headers().map_err(broken)?.clone();
-    let mut table = table(&header)?;
+    let mut table = table(&header, separator)?;
+    let in_line = |row: &StringRecord, error: ImportError| error.in_line(line_number(text, row));
     let mut rows = Vec::new();
     for row in reader.records() {
         rows.push(row.map_err(broken)?);
@@ -46,9 +48,18 @@ pub(crate) fn read(content: &[u8]) -> Result<Document, ImportError> {
             return Err(ImportError::new(format!("more than {MOST_JOINTS} rows")));
         }
     }
-    let in_line = |row: &StringRecord, error: ImportError| error.in_line(line_number(text, row));
     for row in &rows {
+        check_length(row, header.len()).map_err(|error| in_line(row, error))?;
         joint(&mut table, row).map_err(|error| in_line(row, error))?;
+    }
+    if table.has_points && table.has_commas {
+        return Err(ImportError::new(
+            "some numbers of the table have decimal points, and others have commas",
+        ));
+    }
+    if table.has_commas {
+        let remark = "The file has decimal commas: here they are points.";
+        table.document.remarks.push(remark.to_owned());
     }
     if table.document.joints.is_empty() {
         return Err(ImportError::new("the table has no joints"));
@@ -84,6 +95,21 @@ struct Table {
     joints: BTreeMap<String, usize>,
     links: BTreeMap<String, usize>,
     decimals: usize,
+    separator: u8,
+    has_points: bool,
+    has_commas: bool,
+}
+
+/// Refuses a row with more cells than the heading: commas of its numbers have separated them.
+fn check_length(row: &StringRecord, columns: usize) -> Result<(), ImportError> {
+    if row.iter().skip(columns).all(str::is_empty) {
+        return Ok(());
+    }
+    Err(ImportError::new(format!(
+        "the row has {} cells, and the heading {columns}\nhelp: numbers have decimal points, or \
+         decimal commas where `;` separates the columns",
+        row.len()
+    )))
 }
 
 fn broken(error: csv::Error) -> ImportError {
@@ -91,7 +117,7 @@ fn broken(error: csv::Error) -> ImportError {
 }
 
 /// Reads the header: the names of columns, and the unit behind `x`.
-fn table(header: &StringRecord) -> Result<Table, ImportError> {
+fn table(header: &StringRecord, separator: u8) -> Result<Table, ImportError> {
     let mut columns = BTreeMap::new();
     let mut unit = None;
     let mut warnings = Vec::new();
@@ -140,6 +166,9 @@ fn table(header: &StringRecord) -> Result<Table, ImportError> {
         joints: BTreeMap::new(),
         links: BTreeMap::from(["frame", "ground"].map(|name| (name.to_owned(), FRAME))),
         decimals: 0,
+        separator,
+        has_points: false,
+        has_commas: false,
     })
 }
 
@@ -162,10 +191,14 @@ fn joint(table: &mut Table, row: &StringRecord) -> Result<(), ImportError> {
     }
     let mut position = [0.0; 2];
     for (value, column) in position.iter_mut().zip(["x", "y"]) {
+        let cell = table.cell(row, column);
+        let [has_point, has_comma] = ['.', ','].map(|sign| cell.contains(sign));
         let number = decimal(
-            table.cell(row, column),
+            &with_point(cell, table.separator),
             &format!("{column} of `{}`", shown(&name)),
         )?;
+        table.has_points |= has_point;
+        table.has_commas |= has_comma;
         *value = number.value;
         table.decimals = table.decimals.max(number.decimals);
     }
@@ -243,7 +276,11 @@ fn slot(
     let path = if let Some((first, second)) = along.split_once(char::is_whitespace) {
         SlotPath::Joints(table.joint(first)?, table.joint(second.trim())?)
     } else {
-        let angle = decimal(along, &format!("`along` of `{name}`"))?.value;
+        let angle = decimal(
+            &with_point(along, table.separator),
+            &format!("`along` of `{name}`"),
+        )?
+        .value;
         SlotPath::Direction(
             angle.to_radians(),
             format!("{}deg", crate::number::plain(angle)),

@@ -1,11 +1,13 @@
 //! Tables of named points: CSV with a name and three numbers in a line, or YAML with lists of three
 //! numbers.
 
+use std::borrow::Cow;
+
 use saphyr_parser::{Event, Parser};
 
 use crate::error::ImportError;
 use crate::names::shown;
-use crate::number::decimal;
+use crate::number::{decimal, with_point};
 use crate::robots::Vector;
 
 /// More points than any suspension has.
@@ -100,7 +102,11 @@ pub(super) fn csv(text: &str) -> Result<Table, ImportError> {
         let record =
             record.map_err(|error| ImportError::new(format!("the CSV is broken: {error}")))?;
         let fields: Vec<&str> = record.iter().collect();
-        let [name, x, y, z, rest @ ..] = &fields[..] else {
+        let numbers: Vec<Cow<str>> = fields
+            .iter()
+            .map(|text| with_point(text, separator))
+            .collect();
+        let ([name, _, _, _, rest @ ..], [_, x, y, z, ..]) = (&fields[..], &numbers[..]) else {
             table.others.push(shown(&fields.join(" ")));
             continue;
         };

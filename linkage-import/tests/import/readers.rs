@@ -196,3 +196,16 @@ fn tables_name_links_of_a_single_row() {
     let is_single = |warning: &String| warning.contains("only the joint");
     assert!(!right.iter().any(is_single), "{right:?}");
 }
+
+/// Spreadsheets of many countries write `;` between columns and commas in numbers.
+#[test]
+fn tables_may_have_decimal_commas() {
+    let table = "name,kind,x (mm),y (mm),links,along\no,motor,0,0,frame crank,\n\
+                 a,pin,20.5,5.25,crank rod,\nb,slot,80.75,0,frame rod,0.5\n";
+    let with_points = of_text(table, "a.csv").text;
+    let with_commas = table.replace(',', ";").replace('.', ",");
+    let with_commas = of_text(&with_commas, "a.csv").text;
+    let remark = "// The file has decimal commas: here they are points.\n";
+    assert!(with_commas.contains(remark), "{with_commas}");
+    assert_eq!(with_commas.replace(remark, ""), with_points);
+}

@@ -185,3 +185,25 @@ fn messages_about_tables_name_the_line() {
         "{message}"
     );
 }
+
+#[test]
+fn commas_that_may_be_of_numbers_are_refused() {
+    let row = |table: &str| refused(&format!("name,kind,x,y,links\n{table}"), Format::JointTable);
+    let message = row("o,pin,0,0,frame a\np,pin,20,5,7,5,a\n");
+    assert!(
+        message.starts_with("line 3: the row has 7 cells, and the heading 5\nhelp: "),
+        "{message}"
+    );
+    let table = "name;kind;x;y;links\no;pin;0,5;0;frame a\np;pin;1.5;7;a\n";
+    let message = refused(table, Format::JointTable);
+    assert!(
+        message.contains("decimal points, and others have commas"),
+        "{message}"
+    );
+    let thousands = table.replace("0,5", "1.000,5");
+    let message = refused(&thousands, Format::JointTable);
+    assert!(
+        message.starts_with("line 2: x of `o` is `1.000,5`"),
+        "{message}"
+    );
+}

@@ -187,3 +187,14 @@ fn names_that_the_file_lacks_are_in_the_message() {
     let said = renamed("four_bar.urdf", "<link1 link=\"", "<link1 link=\"no_");
     assert!(said.contains("names the link `no_"), "{said}");
 }
+
+#[test]
+fn points_may_have_decimal_commas() {
+    let table = text_of("five_rods.csv");
+    let options = hard_points("forward,left,up", "left");
+    let plain = refused(&table, "a.csv", &options);
+    let with_commas = table.replacen("110;420;430", "110,5;420,25;430,0", 1);
+    assert_ne!(table, with_commas);
+    // The first row is no heading.
+    assert_eq!(refused(&with_commas, "a.csv", &options), plain);
+}
