@@ -39,6 +39,15 @@ pub(crate) fn read(content: &[u8]) -> Result<Document, ImportError> {
         .comment(Some(b'#'))
         .from_reader(text.as_bytes());
     let header = reader.headers().map_err(broken)?.clone();
+    if let Some(missing) = missing_column(&header) {
+        let help = match has_points(text, separator) {
+            true => "its rows are points of a suspension, which `--format hard-points` reads",
+            false => "its first line is `name,kind,x,y,links`",
+        };
+        return Err(ImportError::new(format!(
+            "the table has no column `{missing}`\nhelp: {help}"
+        )));
+    }
     let mut table = table(&header, separator)?;
     let in_line = |row: &StringRecord, error: ImportError| error.in_line(line_number(text, row));
     let mut rows = Vec::new();
@@ -116,6 +125,34 @@ fn broken(error: csv::Error) -> ImportError {
     ImportError::new(format!("the table cannot be read: {error}"))
 }
 
+/// Returns the name of a column: its title up to a unit.
+fn column_name(title: &str) -> &str {
+    let is_end = |letter: char| "([/".contains(letter) || letter.is_whitespace();
+    title.split(is_end).next().unwrap_or_default()
+}
+
+/// Returns the first column that the header lacks.
+fn missing_column(header: &StringRecord) -> Option<&'static str> {
+    let titles: Vec<String> = header.iter().map(str::to_ascii_lowercase).collect();
+    let is_missing = |name: &&str| titles.iter().all(|title| column_name(title) != *name);
+    COLUMNS.into_iter().find(|name| is_missing(name))
+}
+
+/// Returns true if one of the first two rows is a name and three numbers.
+fn has_points(text: &str, separator: u8) -> bool {
+    let rows = text
+        .lines()
+        .filter(|line| !line.is_empty() && !line.starts_with('#'));
+    rows.take(2).any(|row| {
+        let cells: Vec<&str> = row.split(char::from(separator)).map(str::trim).collect();
+        let is_number = |cell: &&str| with_point(cell, separator).parse::<f64>().is_ok();
+        let [name, coordinates @ ..] = &cells[..] else {
+            return false;
+        };
+        coordinates.len() == 3 && coordinates.iter().all(is_number) && !is_number(name)
+    })
+}
+
 /// Reads the header: the names of columns, and the unit behind `x`.
 fn table(header: &StringRecord, separator: u8) -> Result<Table, ImportError> {
     let mut columns = BTreeMap::new();
@@ -123,8 +160,7 @@ fn table(header: &StringRecord, separator: u8) -> Result<Table, ImportError> {
     let mut warnings = Vec::new();
     for (index, title) in header.iter().enumerate() {
         let title = title.to_ascii_lowercase();
-        let is_end = |letter: char| "([/".contains(letter) || letter.is_whitespace();
-        let (name, rest) = title.split_at(title.find(is_end).unwrap_or(title.len()));
+        let (name, rest) = title.split_at(column_name(&title).len());
         let named = rest.trim_matches(|letter: char| !letter.is_ascii_alphabetic());
         if !named.is_empty() {
             let found = LengthUnit::named(named).ok_or_else(|| {
@@ -145,12 +181,6 @@ fn table(header: &StringRecord, separator: u8) -> Result<Table, ImportError> {
             ));
         }
         columns.insert(name.to_owned(), index);
-    }
-    if let Some(missing) = COLUMNS.iter().find(|name| !columns.contains_key(**name)) {
-        return Err(ImportError::new(format!(
-            "the table has no column `{missing}`\nhelp: its first line is `{}`",
-            COLUMNS.join(",")
-        )));
     }
     let mut document = Document::new("a table of joints", unit.unwrap_or(LengthUnit::Millimetre));
     document.warnings = warnings;

@@ -5,6 +5,7 @@ use std::borrow::Cow;
 
 use saphyr_parser::{Event, Parser};
 
+use crate::csv_lines::line_number;
 use crate::error::ImportError;
 use crate::names::shown;
 use crate::number::{decimal, with_point};
@@ -102,21 +103,32 @@ pub(super) fn csv(text: &str) -> Result<Table, ImportError> {
         let record =
             record.map_err(|error| ImportError::new(format!("the CSV is broken: {error}")))?;
         let fields: Vec<&str> = record.iter().collect();
+        let is_number = |text: &str| text.parse::<f64>().is_ok();
         let numbers: Vec<Cow<str>> = fields
             .iter()
             .map(|text| with_point(text, separator))
             .collect();
         let ([name, _, _, _, rest @ ..], [_, x, y, z, ..]) = (&fields[..], &numbers[..]) else {
+            if let ([name, ..], [_, x, y]) = (&fields[..], &numbers[..])
+                && is_number(x)
+                && is_number(y)
+            {
+                let error = ImportError::new(format!(
+                    "the point `{}` has two coordinates instead of three",
+                    shown(name)
+                ));
+                return Err(error.in_line(line_number(text, &record)));
+            }
             table.others.push(shown(&fields.join(" ")));
             continue;
         };
-        let is_number = |text: &str| text.parse::<f64>().is_ok();
         if index == 0 && ![x, y, z].iter().any(|text| is_number(text)) {
             continue;
         }
-        let numbers = [x, y, z].map(|text| coordinate(text, name));
+        let in_line = |error: ImportError| error.in_line(line_number(text, &record));
+        let numbers = [x, y, z].map(|text| coordinate(text, name).map_err(in_line));
         let [x, y, z] = numbers;
-        table.add(name, &[x?, y?, z?])?;
+        table.add(name, &[x?, y?, z?]).map_err(in_line)?;
         if rest.iter().any(|field| !field.is_empty()) {
             table
                 .others
