@@ -15,6 +15,11 @@ impl ImportError {
             message: message.into(),
         }
     }
+
+    /// Puts the number of the line in front of the message.
+    pub(crate) fn in_line(self, line: usize) -> Self {
+        Self::new(format!("line {line}: {}", self.message))
+    }
 }
 
 impl Display for ImportError {

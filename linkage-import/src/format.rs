@@ -108,7 +108,10 @@ impl Format {
             Ok(Self::Pyslvs)
         } else if start.starts_with('{') && start.contains("joints") {
             Ok(Self::Pylinkage)
-        } else if start.starts_with("name,") {
+        } else if ["name,", "name;"]
+            .iter()
+            .any(|name| start.starts_with(name))
+        {
             Ok(Self::JointTable)
         } else {
             let names = Self::ALL.map(Self::name).join(", ");

@@ -11,10 +11,15 @@ use std::collections::BTreeMap;
 
 use csv::{ReaderBuilder, StringRecord};
 
+use crate::csv_lines::line_number;
 use crate::document::{Document, FRAME, Input, InputKind, LengthUnit, MOST_JOINTS, Slot, SlotPath};
 use crate::error::ImportError;
 use crate::names::shown;
-use crate::number::{decimal, half_digit};
+use crate::number::{decimal, half_digit, with_point};
+
+mod single_links;
+
+use single_links::JointLinks;
 
 const COLUMNS: [&str; 5] = ["name", "kind", "x", "y", "links"];
 const OTHER_COLUMNS: [&str; 2] = ["along", "input"];
@@ -22,17 +27,29 @@ const OTHER_COLUMNS: [&str; 2] = ["along", "input"];
 /// Reads a table.
 pub(crate) fn read(content: &[u8]) -> Result<Document, ImportError> {
     let text = String::from_utf8_lossy(content);
+    let text = text.trim_start_matches('\u{feff}');
     let first = text.lines().next().unwrap_or_default();
     let separators = [b';', b'\t'].into_iter();
     let mut separators = separators.filter(|sign| first.contains(char::from(*sign)));
+    let separator = separators.next().unwrap_or(b',');
     let mut reader = ReaderBuilder::new()
-        .delimiter(separators.next().unwrap_or(b','))
+        .delimiter(separator)
         .trim(csv::Trim::All)
         .flexible(true)
         .comment(Some(b'#'))
-        .from_reader(text.trim_start_matches('\u{feff}').as_bytes());
+        .from_reader(text.as_bytes());
     let header = reader.headers().map_err(broken)?.clone();
-    let mut table = table(&header)?;
+    if let Some(missing) = missing_column(&header) {
+        let help = match has_points(text, separator) {
+            true => "its rows are points of a suspension, which `--format hard-points` reads",
+            false => "its first line is `name,kind,x,y,links`",
+        };
+        return Err(ImportError::new(format!(
+            "the table has no column `{missing}`\nhelp: {help}"
+        )));
+    }
+    let mut table = table(&header, separator)?;
+    let in_line = |row: &StringRecord, error: ImportError| error.in_line(line_number(text, row));
     let mut rows = Vec::new();
     for row in reader.records() {
         rows.push(row.map_err(broken)?);
@@ -41,14 +58,26 @@ pub(crate) fn read(content: &[u8]) -> Result<Document, ImportError> {
         }
     }
     for row in &rows {
-        joint(&mut table, row)?;
+        check_length(row, header.len()).map_err(|error| in_line(row, error))?;
+        joint(&mut table, row).map_err(|error| in_line(row, error))?;
+    }
+    if table.has_points && table.has_commas {
+        return Err(ImportError::new(
+            "some numbers of the table have decimal points, and others have commas",
+        ));
+    }
+    if table.has_commas {
+        let remark = "The file has decimal commas: here they are points.";
+        table.document.remarks.push(remark.to_owned());
     }
     if table.document.joints.is_empty() {
         return Err(ImportError::new("the table has no joints"));
     }
     for row in &rows {
-        connect(&mut table, row)?;
+        connect(&mut table, row).map_err(|error| in_line(row, error))?;
     }
+    let warnings = single_links::warnings(&links_by_joint(&table, &rows), text);
+    table.document.warnings.extend(warnings);
     table.document.band = half_digit(table.decimals);
     table.document.remarks.push(format!(
         "Coordinates have {} decimals at most: half of the last one is taken as their rounding.",
@@ -57,27 +86,81 @@ pub(crate) fn read(content: &[u8]) -> Result<Document, ImportError> {
     Ok(table.document)
 }
 
+/// Returns the links that each row names, but not the joints of cylinders.
+fn links_by_joint<'t>(table: &Table, rows: &'t [StringRecord]) -> Vec<JointLinks<'t>> {
+    let is_joint = |row: &&StringRecord| !table.cell(row, "kind").eq_ignore_ascii_case("cylinder");
+    let joints = rows.iter().filter(is_joint);
+    let joints = joints.map(|row| JointLinks {
+        row,
+        joint: table.cell(row, "name"),
+        links: table.cell(row, "links").split_whitespace().collect(),
+    });
+    joints.collect()
+}
+
 struct Table {
     document: Document,
     columns: BTreeMap<String, usize>,
     joints: BTreeMap<String, usize>,
     links: BTreeMap<String, usize>,
     decimals: usize,
+    separator: u8,
+    has_points: bool,
+    has_commas: bool,
+}
+
+/// Refuses a row with more cells than the heading: commas of its numbers have separated them.
+fn check_length(row: &StringRecord, columns: usize) -> Result<(), ImportError> {
+    if row.iter().skip(columns).all(str::is_empty) {
+        return Ok(());
+    }
+    Err(ImportError::new(format!(
+        "the row has {} cells, and the heading {columns}\nhelp: numbers have decimal points, or \
+         decimal commas where `;` separates the columns",
+        row.len()
+    )))
 }
 
 fn broken(error: csv::Error) -> ImportError {
     ImportError::new(format!("the table cannot be read: {error}"))
 }
 
+/// Returns the name of a column: its title up to a unit.
+fn column_name(title: &str) -> &str {
+    let is_end = |letter: char| "([/".contains(letter) || letter.is_whitespace();
+    title.split(is_end).next().unwrap_or_default()
+}
+
+/// Returns the first column that the header lacks.
+fn missing_column(header: &StringRecord) -> Option<&'static str> {
+    let titles: Vec<String> = header.iter().map(str::to_ascii_lowercase).collect();
+    let is_missing = |name: &&str| titles.iter().all(|title| column_name(title) != *name);
+    COLUMNS.into_iter().find(|name| is_missing(name))
+}
+
+/// Returns true if one of the first two rows is a name and three numbers.
+fn has_points(text: &str, separator: u8) -> bool {
+    let rows = text
+        .lines()
+        .filter(|line| !line.is_empty() && !line.starts_with('#'));
+    rows.take(2).any(|row| {
+        let cells: Vec<&str> = row.split(char::from(separator)).map(str::trim).collect();
+        let is_number = |cell: &&str| with_point(cell, separator).parse::<f64>().is_ok();
+        let [name, coordinates @ ..] = &cells[..] else {
+            return false;
+        };
+        coordinates.len() == 3 && coordinates.iter().all(is_number) && !is_number(name)
+    })
+}
+
 /// Reads the header: the names of columns, and the unit behind `x`.
-fn table(header: &StringRecord) -> Result<Table, ImportError> {
+fn table(header: &StringRecord, separator: u8) -> Result<Table, ImportError> {
     let mut columns = BTreeMap::new();
     let mut unit = None;
     let mut warnings = Vec::new();
     for (index, title) in header.iter().enumerate() {
         let title = title.to_ascii_lowercase();
-        let is_end = |letter: char| "([/".contains(letter) || letter.is_whitespace();
-        let (name, rest) = title.split_at(title.find(is_end).unwrap_or(title.len()));
+        let (name, rest) = title.split_at(column_name(&title).len());
         let named = rest.trim_matches(|letter: char| !letter.is_ascii_alphabetic());
         if !named.is_empty() {
             let found = LengthUnit::named(named).ok_or_else(|| {
@@ -99,12 +182,6 @@ fn table(header: &StringRecord) -> Result<Table, ImportError> {
         }
         columns.insert(name.to_owned(), index);
     }
-    if let Some(missing) = COLUMNS.iter().find(|name| !columns.contains_key(**name)) {
-        return Err(ImportError::new(format!(
-            "the table has no column `{missing}`\nhelp: its first line is `{}`",
-            COLUMNS.join(",")
-        )));
-    }
     let mut document = Document::new("a table of joints", unit.unwrap_or(LengthUnit::Millimetre));
     document.warnings = warnings;
     if unit.is_none() {
@@ -119,6 +196,9 @@ fn table(header: &StringRecord) -> Result<Table, ImportError> {
         joints: BTreeMap::new(),
         links: BTreeMap::from(["frame", "ground"].map(|name| (name.to_owned(), FRAME))),
         decimals: 0,
+        separator,
+        has_points: false,
+        has_commas: false,
     })
 }
 
@@ -141,10 +221,14 @@ fn joint(table: &mut Table, row: &StringRecord) -> Result<(), ImportError> {
     }
     let mut position = [0.0; 2];
     for (value, column) in position.iter_mut().zip(["x", "y"]) {
+        let cell = table.cell(row, column);
+        let [has_point, has_comma] = ['.', ','].map(|sign| cell.contains(sign));
         let number = decimal(
-            table.cell(row, column),
+            &with_point(cell, table.separator),
             &format!("{column} of `{}`", shown(&name)),
         )?;
+        table.has_points |= has_point;
+        table.has_commas |= has_comma;
         *value = number.value;
         table.decimals = table.decimals.max(number.decimals);
     }
@@ -222,7 +306,11 @@ fn slot(
     let path = if let Some((first, second)) = along.split_once(char::is_whitespace) {
         SlotPath::Joints(table.joint(first)?, table.joint(second.trim())?)
     } else {
-        let angle = decimal(along, &format!("`along` of `{name}`"))?.value;
+        let angle = decimal(
+            &with_point(along, table.separator),
+            &format!("`along` of `{name}`"),
+        )?
+        .value;
         SlotPath::Direction(
             angle.to_radians(),
             format!("{}deg", crate::number::plain(angle)),

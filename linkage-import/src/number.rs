@@ -1,5 +1,7 @@
 //! Numbers of files: finite, with the count of their decimals, and as text for the language.
 
+use std::borrow::Cow;
+
 use crate::error::ImportError;
 use crate::names::shown;
 
@@ -31,6 +33,15 @@ pub(crate) fn decimal(text: &str, name: &str) -> Result<Decimal, ImportError> {
     let mantissa = text.split(['e', 'E']).next().unwrap_or_default();
     let decimals = mantissa.split_once('.').map_or(0, |parts| parts.1.len());
     Ok(Decimal { value, decimals })
+}
+
+/// Returns a number of a table with a decimal point. It may have a comma instead where another sign
+/// separates columns.
+pub(crate) fn with_point(text: &str, separator: u8) -> Cow<'_, str> {
+    match separator != b',' && text.matches(',').count() == 1 && !text.contains('.') {
+        true => Cow::Owned(text.replace(',', ".")),
+        false => Cow::Borrowed(text),
+    }
 }
 
 /// Returns half of the last digit of numbers with so many decimals.

@@ -1,11 +1,14 @@
 //! Tables of named points: CSV with a name and three numbers in a line, or YAML with lists of three
 //! numbers.
 
+use std::borrow::Cow;
+
 use saphyr_parser::{Event, Parser};
 
+use crate::csv_lines::line_number;
 use crate::error::ImportError;
 use crate::names::shown;
-use crate::number::decimal;
+use crate::number::{decimal, with_point};
 use crate::robots::Vector;
 
 /// More points than any suspension has.
@@ -100,17 +103,32 @@ pub(super) fn csv(text: &str) -> Result<Table, ImportError> {
         let record =
             record.map_err(|error| ImportError::new(format!("the CSV is broken: {error}")))?;
         let fields: Vec<&str> = record.iter().collect();
-        let [name, x, y, z, rest @ ..] = &fields[..] else {
+        let is_number = |text: &str| text.parse::<f64>().is_ok();
+        let numbers: Vec<Cow<str>> = fields
+            .iter()
+            .map(|text| with_point(text, separator))
+            .collect();
+        let ([name, _, _, _, rest @ ..], [_, x, y, z, ..]) = (&fields[..], &numbers[..]) else {
+            if let ([name, ..], [_, x, y]) = (&fields[..], &numbers[..])
+                && is_number(x)
+                && is_number(y)
+            {
+                let error = ImportError::new(format!(
+                    "the point `{}` has two coordinates instead of three",
+                    shown(name)
+                ));
+                return Err(error.in_line(line_number(text, &record)));
+            }
             table.others.push(shown(&fields.join(" ")));
             continue;
         };
-        let is_number = |text: &str| text.parse::<f64>().is_ok();
         if index == 0 && ![x, y, z].iter().any(|text| is_number(text)) {
             continue;
         }
-        let numbers = [x, y, z].map(|text| coordinate(text, name));
+        let in_line = |error: ImportError| error.in_line(line_number(text, &record));
+        let numbers = [x, y, z].map(|text| coordinate(text, name).map_err(in_line));
         let [x, y, z] = numbers;
-        table.add(name, &[x?, y?, z?])?;
+        table.add(name, &[x?, y?, z?]).map_err(in_line)?;
         if rest.iter().any(|field| !field.is_empty()) {
             table
                 .others

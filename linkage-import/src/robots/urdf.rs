@@ -291,10 +291,12 @@ fn add_loop(
         let link = element.named(which).next().ok_or_else(|| {
             ImportError::new(format!("the loop `{}` has no `{which}`", shown(name)))
         })?;
-        let (body, at) = placed.get(required(link, "link")?).ok_or_else(|| {
+        let named = required(link, "link")?;
+        let (body, at) = placed.get(named).ok_or_else(|| {
             ImportError::new(format!(
-                "the loop `{}` names no link of the file",
-                shown(name)
+                "the loop `{}` names the link `{}`, which the file does not have",
+                shown(name),
+                shown(named)
             ))
         })?;
         Ok::<_, ImportError>((*body, at.then(&placement(link)?)))

@@ -181,3 +181,31 @@ fn formats_have_names() {
         "{error}"
     );
 }
+
+/// A misspelt link is named with its row and the name that was meant.
+#[test]
+fn tables_name_links_of_a_single_row() {
+    let table = "name,kind,x (mm),y (mm),links\r\n# the crank\r\no,motor,0,0,frame crank\r\n\r\n\
+                 a,pin,20,5,crnk rod\r\nb,pin,80,40,rod rocker\r\nc,pin,90,0,rocker frame\r\n";
+    let warnings = of_text(table, "a.csv").warnings;
+    let misspelt = "line 5: only the joint `a` has the link `crnk`; the name next to it is `crank`";
+    assert!(warnings.contains(&misspelt.to_owned()), "{warnings:?}");
+    let alone = "line 3: only the joint `o` has the link `crank`; the name next to it is `crnk`";
+    assert!(warnings.contains(&alone.to_owned()), "{warnings:?}");
+    let right = of_text(&table.replace("crnk", "crank"), "a.csv").warnings;
+    let is_single = |warning: &String| warning.contains("only the joint");
+    assert!(!right.iter().any(is_single), "{right:?}");
+}
+
+/// Spreadsheets of many countries write `;` between columns and commas in numbers.
+#[test]
+fn tables_may_have_decimal_commas() {
+    let table = "name,kind,x (mm),y (mm),links,along\no,motor,0,0,frame crank,\n\
+                 a,pin,20.5,5.25,crank rod,\nb,slot,80.75,0,frame rod,0.5\n";
+    let with_points = of_text(table, "a.csv").text;
+    let with_commas = table.replace(',', ";").replace('.', ",");
+    let with_commas = of_text(&with_commas, "a.csv").text;
+    let remark = "// The file has decimal commas: here they are points.\n";
+    assert!(with_commas.contains(remark), "{with_commas}");
+    assert_eq!(with_commas.replace(remark, ""), with_points);
+}

@@ -169,3 +169,41 @@ fn messages_name_the_fault() {
         assert!(message.starts_with(|letter: char| letter.is_lowercase() || letter == '`'));
     }
 }
+
+/// Comments, empty lines and line ends of both kinds count.
+#[test]
+fn messages_about_tables_name_the_line() {
+    let table = "\u{feff}name,kind,x,y,links\n# pivots\n\no,pin,0,0,frame a\np,pin,1,z,a\n";
+    let at_fault = "line 5: y of `p` is `z`, which is no number";
+    assert_eq!(refused(table, Format::JointTable), at_fault);
+    let with_returns = table.replace('\n', "\r\n");
+    assert_eq!(refused(&with_returns, Format::JointTable), at_fault);
+    let kind = table.replace("1,z", "1,2").replace("p,pin", "p,spring");
+    let message = refused(&kind, Format::JointTable);
+    assert!(
+        message.starts_with("line 5: `p` is of the kind"),
+        "{message}"
+    );
+}
+
+#[test]
+fn commas_that_may_be_of_numbers_are_refused() {
+    let row = |table: &str| refused(&format!("name,kind,x,y,links\n{table}"), Format::JointTable);
+    let message = row("o,pin,0,0,frame a\np,pin,20,5,7,5,a\n");
+    assert!(
+        message.starts_with("line 3: the row has 7 cells, and the heading 5\nhelp: "),
+        "{message}"
+    );
+    let table = "name;kind;x;y;links\no;pin;0,5;0;frame a\np;pin;1.5;7;a\n";
+    let message = refused(table, Format::JointTable);
+    assert!(
+        message.contains("decimal points, and others have commas"),
+        "{message}"
+    );
+    let thousands = table.replace("0,5", "1.000,5");
+    let message = refused(&thousands, Format::JointTable);
+    assert!(
+        message.starts_with("line 2: x of `o` is `1.000,5`"),
+        "{message}"
+    );
+}

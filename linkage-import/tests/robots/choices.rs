@@ -174,3 +174,56 @@ fn limits_are_held() {
     let said = refused(&text, "a.xml", &Options::default());
     assert!(said.contains("too large"), "{said}");
 }
+
+#[test]
+fn names_that_the_file_lacks_are_in_the_message() {
+    let renamed = |file: &str, from: &str, to: &str| {
+        let text = text_of(file);
+        assert!(text.contains(from), "{file}");
+        refused(&text.replacen(from, to, 1), file, &Options::default())
+    };
+    let said = renamed("four_bar.xml", "site1=\"", "site1=\"no_");
+    assert!(said.contains("names the site `no_"), "{said}");
+    let said = renamed("four_bar.urdf", "<link1 link=\"", "<link1 link=\"no_");
+    assert!(said.contains("names the link `no_"), "{said}");
+}
+
+#[test]
+fn points_may_have_decimal_commas() {
+    let table = text_of("five_rods.csv");
+    let options = hard_points("forward,left,up", "left");
+    let plain = refused(&table, "a.csv", &options);
+    let with_commas = table.replacen("110;420;430", "110,5;420,25;430,0", 1);
+    assert_ne!(table, with_commas);
+    // The first row is no heading.
+    assert_eq!(refused(&with_commas, "a.csv", &options), plain);
+}
+
+#[test]
+fn points_with_two_coordinates_are_named_with_their_line() {
+    let options = hard_points("forward,left,up", "left");
+    let table = text_of("double_wishbone.csv");
+    let short = table.replace("lower_ball,9,560,140", "lower_ball,560,140");
+    assert_eq!(
+        refused(&short, "a.csv", &options),
+        "line 5: the point `lower_ball` has two coordinates instead of three"
+    );
+    let wrong = table.replace("lower_ball,9,560,140", "lower_ball,,560,140");
+    let said = refused(&wrong, "a.csv", &options);
+    assert!(
+        said.starts_with("line 5: a coordinate of `lower_ball` is ``"),
+        "{said}"
+    );
+}
+
+#[test]
+fn tables_of_points_are_recognised_without_their_format() {
+    for name in ["double_wishbone.csv", "five_rods.csv"] {
+        let said = refused(&text_of(name), name, &Options::default());
+        assert!(
+            said.contains("\nhelp: its rows are points of a suspension"),
+            "{said}"
+        );
+        assert!(said.contains("`--format hard-points`"), "{said}");
+    }
+}

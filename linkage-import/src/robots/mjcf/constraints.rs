@@ -33,27 +33,35 @@ impl Reader<'_> {
 
     fn closure(&mut self, element: &XmlElement, name: &str) -> Result<(), ImportError> {
         let is_weld = element.name == "weld";
-        let missing = |what: &str| {
+        let missing = |what: &str, named: &str| {
             ImportError::new(format!(
-                "the equality `{}` names no {what} of the file",
+                "the equality `{}` names the {what} `{}`, which the file does not have",
+                shown(name),
+                shown(named)
+            ))
+        };
+        let absent = |attribute: &str| {
+            ImportError::new(format!(
+                "the equality `{}` has no `{attribute}`",
                 shown(name)
             ))
         };
         let (bodies, at) = match (element.attribute("site1"), element.attribute("site2")) {
             (Some(first), Some(second)) => {
-                let site = |name: &str| self.sites.get(name).ok_or_else(|| missing("site"));
+                let site = |name: &str| self.sites.get(name).ok_or_else(|| missing("site", name));
                 let [(a, at), (b, other)] = [site(first)?, site(second)?];
                 ([*a, *b], [at.origin, other.origin])
             }
             _ => {
-                let body = |name: &str| self.bodies.get(name).ok_or_else(|| missing("body"));
-                let (a, frame_a) = body(element.attribute("body1").unwrap_or_default())?;
+                let body = |name: &str| self.bodies.get(name).ok_or_else(|| missing("body", name));
+                let first = element.attribute("body1").ok_or_else(|| absent("body1"))?;
+                let (a, frame_a) = body(first)?;
                 let (b, frame_b) = body(element.attribute("body2").unwrap_or("world"))?;
                 // That of a weld is in the second body.
                 let frame = if is_weld { frame_b } else { frame_a };
                 let anchor = attribute(element, "anchor")?;
                 if anchor.is_none() && !is_weld {
-                    return Err(missing("anchor"));
+                    return Err(absent("anchor"));
                 }
                 if let Some(pose) = attribute::<7>(element, "relpose")?
                     && pose[3..].iter().any(|number| *number != 0.0)
