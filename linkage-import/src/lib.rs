@@ -94,6 +94,7 @@ fn written(mut document: Document, name: &str, options: &Options) -> Result<Impo
     }
     choose::named(&mut document, &options.inputs)?;
     choose::missing(&mut document);
+    tidy::drop_dangling_links(&mut document);
     let is_address = name.contains("://");
     let file = name.rsplit(['/', '\\']).next().unwrap_or_default();
     let stem = file.split_once('.').map_or(file, |parts| parts.0);

@@ -5,8 +5,10 @@ use crate::document::{Document, FRAME, Input, InputKind, SlotPath};
 use crate::names::shown;
 use crate::number::rounded;
 
+mod dangling;
 mod unused;
 
+pub(crate) use dangling::drop_dangling_links;
 use unused::{drop_short_links, drop_unused_joints};
 
 /// Brings a document into these terms, with a remark or a warning for each change.

@@ -185,3 +185,44 @@ fn several_motors_run_in_one_time() {
     let text = of_text(&linkage("", &elements), "a.linkage2").text;
     assert!(text.contains("move to and fro"), "{text}");
 }
+
+/// Links that hang on one joint are left out, together with those that hang on them.
+#[test]
+fn linkage_names_links_that_hang_on_one_joint() {
+    let closed = "<connector id=\"2\" x=\"200\" y=\"100\"/>\
+                  <connector id=\"3\" x=\"200\" y=\"0\" anchor=\"true\"/>\
+                  <Link id=\"1\"><connector id=\"1\"/><connector id=\"2\"/></Link>\
+                  <Link id=\"2\"><connector id=\"2\"/><connector id=\"3\"/></Link>";
+    let hanging = "<connector id=\"4\" x=\"260\" y=\"130\"/>\
+                   <connector id=\"5\" x=\"300\" y=\"130\"/>\
+                   <Link id=\"3\"><connector id=\"2\"/><connector id=\"4\"/></Link>\
+                   <Link id=\"4\"><connector id=\"4\"/><connector id=\"5\"/></Link>";
+    let import = of_text(&linkage("", &format!("{closed}{hanging}")), "a.linkage2");
+    let free = import
+        .warnings
+        .iter()
+        .filter(|text| text.contains("is free"));
+    let free: Vec<&str> = free.map(String::as_str).collect();
+    assert_eq!(
+        free,
+        [
+            "the link `link4` is held only at the joint `c4`, so that its motion is free: it is \
+             left out",
+            "the link `link3` is held only at the joint `c2`, so that its motion is free: it is \
+             left out"
+        ]
+    );
+    let lines = |text: &str| {
+        let lines = text
+            .lines()
+            .filter(|line| !line.trim_start().starts_with("//"));
+        lines.map(str::to_owned).collect::<Vec<String>>()
+    };
+    let without = of_text(&linkage("", closed), "a.linkage2");
+    assert!(
+        without.text.contains("link link2: c2, c3;"),
+        "{}",
+        without.text
+    );
+    assert_eq!(lines(&import.text), lines(&without.text));
+}
