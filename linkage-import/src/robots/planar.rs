@@ -14,6 +14,8 @@ struct Writer<'w, 'c> {
     sections: Sections,
     /// Parameters by bodies and what they lead to.
     offsets: Vec<(usize, [f64; 2], String)>,
+    /// The joints that close loops, between bodies.
+    closing_pins: Vec<String>,
 }
 
 /// Writes the mechanism.
@@ -25,6 +27,7 @@ pub(super) fn sections(wording: &mut Wording, plane: Plane) -> Sections {
         turns: vec![None; count],
         sections: Sections::default(),
         offsets: Vec::new(),
+        closing_pins: Vec::new(),
     };
     writer.wording.inputs(&mut writer.sections);
     writer.sections.lets = writer.wording.lets_of_followers();
@@ -199,7 +202,15 @@ impl Writer<'_, '_> {
                     vec![(Vec::new(), [off, "0m".to_owned()]), turns]
                 }
             };
-            self.wording.equations(index, &texts, &mut self.sections);
+            let has_all = self.wording.equations(index, &texts, &mut self.sections);
+            // A pin that follows from the others would have no certain force.
+            let is_pin = matches!(
+                closure.closing,
+                ClosingJoint::Point | ClosingJoint::Hinge(_)
+            );
+            if is_pin && has_all {
+                self.closing_pin(&name, closure.bodies, &first);
+            }
             self.wording.gap(index, &mut self.sections);
             if closure.closing == ClosingJoint::Point || closure.closing == ClosingJoint::Weld {
                 self.sections.warnings.push(format!(
@@ -209,6 +220,18 @@ impl Writer<'_, '_> {
             }
             self.sections.quantities.push(first);
         }
+    }
+
+    /// Adds the pin that closes a loop. Fixed bodies come second.
+    fn closing_pin(&mut self, name: &str, [a, b]: [usize; 2], point: &str) {
+        let is_body = self.wording.bodies.iter().any(|body| body == name);
+        let name = match is_body {
+            true => self.wording.names.unique(&format!("{name}_pin"), "pin_"),
+            false => name.to_owned(),
+        };
+        let [first, second] = [a.max(b), a.min(b)].map(|body| &self.wording.bodies[body]);
+        self.closing_pins
+            .push(format!("pin {name} = {first} on {second} at {point};"));
     }
 
     /// The points of each link.
@@ -313,5 +336,6 @@ impl Writer<'_, '_> {
             }
             self.sections.bodies.push(line + ";");
         }
+        self.sections.bodies.append(&mut self.closing_pins);
     }
 }

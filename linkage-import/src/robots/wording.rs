@@ -270,13 +270,14 @@ impl<'c> Wording<'c> {
         }
     }
 
-    /// Adds the equations of a closure: those that follow from others are comments.
+    /// Adds the equations of a closure: those that follow from others are comments. Returns true if
+    /// none follows.
     pub(super) fn equations(
         &self,
         closure: usize,
         texts: &[(Vec<String>, [String; 2])],
         sections: &mut Sections,
-    ) {
+    ) -> bool {
         let rows = self.chain.rows(&self.chain.drawn());
         let rows = rows.iter().zip(&self.analysis.is_needed);
         let of_closure = rows.filter(|(row, _)| row.closure == closure);
@@ -309,6 +310,7 @@ impl<'c> Wording<'c> {
                 shown(&self.chain.robot.closures[closure].name)
             ));
         }
+        dropped == 0
     }
 }
 

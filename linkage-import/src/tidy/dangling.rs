@@ -14,7 +14,7 @@ pub(crate) fn drop_dangling_links(document: &mut Document) {
     let mut dropped = Vec::new();
     while let Some(link) = dangling_link(document) {
         let held_at = held_joints(document, link);
-        let holding = match held_at.first() {
+        let reason = match held_at.first() {
             Some(joint) => format!(
                 "is held only at the joint `{}`",
                 shown(&document.joints[*joint].name)
@@ -22,7 +22,7 @@ pub(crate) fn drop_dangling_links(document: &mut Document) {
             None => "is held at no joint".to_owned(),
         };
         dropped.push(format!(
-            "the link `{}` {holding}, so that its motion is free: it is left out",
+            "the link `{}` {reason}, so that its motion is free: it is left out",
             shown(&document.links[link].name)
         ));
         document.links[link].joints.clear();

@@ -227,3 +227,17 @@ fn tables_of_points_are_recognised_without_their_format() {
         assert!(said.contains("`--format hard-points`"), "{said}");
     }
 }
+
+/// The pin that closes a loop is a joint between bodies, as their forces need it.
+#[test]
+fn bodies_of_loops_have_the_closing_pin() {
+    for (name, bodies) in [
+        ("four_bar.xml", "rocker on coupler"),
+        ("four_bar.urdf", "coupler on rocker"),
+    ] {
+        let text = imported(name, &Options::default()).text;
+        let pin = format!("    pin closing = {bodies} at closing_a;\n");
+        assert!(text.contains(&pin), "{text}");
+        assert!(linkage_engine::Mechanism::compile(&text).is_ok(), "{text}");
+    }
+}
