@@ -199,3 +199,21 @@ pub(crate) fn joint(name: &str, motion: Motion, parent: usize, at: Vector) -> Jo
         follows: None,
     }
 }
+
+/// Returns a moment of inertia from the numbers of its six names, in the order of its rows.
+pub(crate) fn tensor(
+    number: impl Fn(&'static str) -> Result<f64, ImportError>,
+) -> Result<[[f64; 3]; 3], ImportError> {
+    let names = [
+        ["ixx", "ixy", "ixz"],
+        ["ixy", "iyy", "iyz"],
+        ["ixz", "iyz", "izz"],
+    ];
+    let mut tensor = [[0.0; 3]; 3];
+    for (row, names) in tensor.iter_mut().zip(names) {
+        for (entry, name) in row.iter_mut().zip(names) {
+            *entry = number(name)?;
+        }
+    }
+    Ok(tensor)
+}

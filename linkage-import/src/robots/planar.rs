@@ -1,6 +1,6 @@
 //! The text of a robot that moves in a plane.
 
-use super::model::{Body, ClosingJoint, Joint, Motion};
+use super::model::{ClosingJoint, Joint, Motion};
 use super::motion_plane::Plane;
 use super::placement::{Vector, cross, dot};
 use super::wording::{Sections, Wording, digits};
@@ -41,16 +41,6 @@ pub(super) fn sections(wording: &mut Wording, plane: Plane) -> Sections {
 }
 
 impl Writer<'_, '_> {
-    fn of_body(&self, body: usize) -> &Body {
-        &self.wording.chain.robot.bodies[body]
-    }
-
-    fn is_input(&self, body: usize) -> bool {
-        let coordinates = &self.wording.chain.coordinates;
-        let mut inputs = self.wording.analysis.inputs.iter();
-        inputs.any(|index| coordinates[*index].body == body)
-    }
-
     fn turn(&self, body: usize) -> String {
         self.turns[body]
             .clone()
@@ -82,7 +72,7 @@ impl Writer<'_, '_> {
     /// A point of a body from where it is drawn. `what` is the end of the name of its offset.
     fn carried(&mut self, body: usize, at: Vector, what: &str) -> String {
         let drawn = self.plane.coordinates(at);
-        let Some(joint) = &self.of_body(body).joint else {
+        let Some(joint) = &self.wording.body(body).joint else {
             return self.wording.point(&drawn);
         };
         let pivot = self.plane.coordinates(joint.at);
@@ -107,13 +97,13 @@ impl Writer<'_, '_> {
     }
 
     fn body(&mut self, body: usize) {
-        let Some(joint) = self.of_body(body).joint.clone() else {
+        let Some(joint) = self.wording.body(body).joint.clone() else {
             return;
         };
         let name = self.wording.joints[body].clone();
         let pivot = self.wording.pivots[body].clone();
         let is_led = joint.follows.is_some();
-        let is_given = is_led || self.is_input(body);
+        let is_given = is_led || self.wording.is_input(body);
         let at = self.carried(joint.parent, joint.at, &name);
         let on = self.turns[joint.parent].clone();
         match joint.motion {

@@ -6,7 +6,7 @@
 use std::collections::BTreeMap;
 
 use super::attribute_numbers::exactly;
-use super::model::{ClosingJoint, Closure, Mass, Motion, Robot, joint};
+use super::model::{ClosingJoint, Closure, Mass, Motion, Robot, joint, tensor};
 use super::placement::{FIXED, Vector};
 use super::urdf::follow;
 use crate::error::ImportError;
@@ -310,19 +310,10 @@ fn add_mass(
             None => Ok(0.0),
         };
         let mass = number(element, "mass")?;
-        let mut tensor = [[0.0; 3]; 3];
-        if let Some(inertia) = element.named("inertia").next() {
-            let names = [
-                ["ixx", "ixy", "ixz"],
-                ["ixy", "iyy", "iyz"],
-                ["ixz", "iyz", "izz"],
-            ];
-            for (row, names) in tensor.iter_mut().zip(names) {
-                for (value, name) in row.iter_mut().zip(names) {
-                    *value = number(inertia, name)?;
-                }
-            }
-        }
+        let tensor = match element.named("inertia").next() {
+            Some(inertia) => tensor(|name| number(inertia, name))?,
+            None => [[0.0; 3]; 3],
+        };
         robot.bodies[body].masses.push(Mass {
             mass,
             centre: located.origin,

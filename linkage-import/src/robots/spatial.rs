@@ -1,6 +1,6 @@
 //! The text of a robot that moves in space.
 
-use super::model::{Body, ClosingJoint, Motion};
+use super::model::{ClosingJoint, Motion};
 use super::placement::{AXES, Vector, difference, length, normals};
 use super::wording::{Sections, Wording, digits};
 
@@ -32,16 +32,6 @@ pub(super) fn sections(wording: &mut Wording) -> Sections {
 }
 
 impl Writer<'_, '_> {
-    fn of_body(&self, body: usize) -> &Body {
-        &self.wording.chain.robot.bodies[body]
-    }
-
-    fn is_input(&self, body: usize) -> bool {
-        let coordinates = &self.wording.chain.coordinates;
-        let mut inputs = self.wording.analysis.inputs.iter();
-        inputs.any(|index| coordinates[*index].body == body)
-    }
-
     fn is_rod(&self, body: usize) -> bool {
         let mut rods = self.wording.chain.rods.iter();
         rods.any(|rod| rod.body == body)
@@ -49,7 +39,7 @@ impl Writer<'_, '_> {
 
     /// A vector that is turned as a body is.
     fn turned(&self, body: usize, vector: String, is_length: bool) -> String {
-        let Some(joint) = &self.of_body(body).joint else {
+        let Some(joint) = &self.wording.body(body).joint else {
             return vector;
         };
         let name = &self.wording.joints[body];
@@ -74,7 +64,7 @@ impl Writer<'_, '_> {
 
     /// A point of a body from where it is drawn.
     fn carried(&mut self, body: usize, at: Vector, what: &str) -> String {
-        let Some(joint) = &self.of_body(body).joint else {
+        let Some(joint) = &self.wording.body(body).joint else {
             return self.wording.point(&at);
         };
         let offset = difference(at, joint.at);
@@ -98,13 +88,13 @@ impl Writer<'_, '_> {
     }
 
     fn body(&mut self, body: usize) {
-        let Some(joint) = self.of_body(body).joint.clone() else {
+        let Some(joint) = self.wording.body(body).joint.clone() else {
             return;
         };
         let name = self.wording.joints[body].clone();
         let pivot = self.wording.pivots[body].clone();
         let is_led = joint.follows.is_some();
-        let is_given = is_led || self.is_input(body);
+        let is_given = is_led || self.wording.is_input(body);
         let at = self.carried(joint.parent, joint.at, &name);
         match joint.motion {
             Motion::Hinge(_) => {

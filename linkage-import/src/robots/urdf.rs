@@ -6,7 +6,7 @@
 use std::collections::BTreeMap;
 
 use super::attribute_numbers::attribute;
-use super::model::{ClosingJoint, Closure, Mass, Motion, Robot, joint};
+use super::model::{ClosingJoint, Closure, Mass, Motion, Robot, joint, tensor};
 use super::placement::{FIXED, Placement, Vector, unit};
 use crate::error::ImportError;
 use crate::names::shown;
@@ -207,19 +207,10 @@ fn add_mass(
             Some(mass) => value("value", mass)?,
             None => 0.0,
         };
-        let mut tensor = [[0.0; 3]; 3];
-        if let Some(inertia) = element.named("inertia").next() {
-            let names = [
-                ["ixx", "ixy", "ixz"],
-                ["ixy", "iyy", "iyz"],
-                ["ixz", "iyz", "izz"],
-            ];
-            for (row, names) in tensor.iter_mut().zip(names) {
-                for (number, name) in row.iter_mut().zip(names) {
-                    *number = value(name, inertia)?;
-                }
-            }
-        }
+        let tensor = match element.named("inertia").next() {
+            Some(inertia) => tensor(|name| value(name, inertia))?,
+            None => [[0.0; 3]; 3],
+        };
         robot.bodies[body].masses.push(Mass {
             mass,
             centre: located.origin,

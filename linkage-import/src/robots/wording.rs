@@ -5,7 +5,7 @@ use std::fmt::Write;
 use super::analysis::Analysis;
 use super::chain::Chain;
 use super::input_ranges::{common_share, reach};
-use super::model::{Joint, Motion};
+use super::model::{Body, Joint, Motion};
 use super::placement::Vector;
 use crate::names::{Names, in_comment, shown};
 use crate::number::{plain, short};
@@ -94,6 +94,16 @@ impl<'c> Wording<'c> {
                 false => 1e-15,
             },
         }
+    }
+
+    pub(super) fn body(&self, body: usize) -> &Body {
+        &self.chain.robot.bodies[body]
+    }
+
+    /// Returns true if an input moves the joint of a body.
+    pub(super) fn is_input(&self, body: usize) -> bool {
+        let mut inputs = self.analysis.inputs.iter();
+        inputs.any(|index| self.chain.coordinates[*index].body == body)
     }
 
     /// A length in metres, without what rounding leaves of zero.
