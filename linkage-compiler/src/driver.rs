@@ -11,7 +11,7 @@ use crate::model::{Library, Model};
 use crate::observer::PhaseObserver;
 use crate::part_order::part_order;
 use crate::syntax::{Attribute, MechanismDef};
-use crate::{model, pipeline, syntax};
+use crate::{model, pipeline};
 
 /// The result of [`check`](crate::check) for one mechanism.
 #[derive(Clone, Debug)]
@@ -91,7 +91,7 @@ impl Driver {
     /// Runs the phases for all mechanisms. The observer sees those of the last one.
     pub(crate) fn run(body: TokenStream, observer: &mut dyn PhaseObserver) -> Self {
         let mut syntax = Diagnostics::default();
-        let definitions = model::expand(syntax::parse(body, &mut syntax), &mut syntax);
+        let definitions = model::read(body, &mut syntax);
         let (order, circles) = part_order(&definitions);
         let mut progress: Vec<Progress> = circles
             .into_iter()

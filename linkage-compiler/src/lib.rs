@@ -136,8 +136,7 @@ pub fn check_all(body: TokenStream) -> Vec<Checked> {
 /// ```
 pub fn loops(body: TokenStream) -> Option<String> {
     let mut diagnostics = diagnostic::Diagnostics::default();
-    let definitions = syntax::parse(body, &mut diagnostics);
-    let definitions = model::expand(definitions, &mut diagnostics);
+    let definitions = model::read(body, &mut diagnostics);
     let is_sound = diagnostics.is_empty();
     is_sound.then(|| definitions.iter().map(syntax::mechanism_text).collect())
 }

@@ -26,7 +26,7 @@ pub mod unknown_frames;
 pub use dump::model::dump;
 pub use generated::{ASSEMBLY, COLUMNS, FOLLOWER, METHODS_OF_FOLLOWER, Sweep, TYPE_PARAMETER};
 pub use library::{Library, Model};
-pub use links::expand;
+pub use links::{expand, read};
 pub use resolve::resolve;
 pub use types::*;
 pub use types::{COMPONENTS, Shape};

@@ -62,6 +62,22 @@ pub enum BinaryOp {
 }
 
 impl Expr {
+    /// Returns the expressions that it is made of.
+    pub fn operands(&self) -> Vec<&Expr> {
+        match &self.kind {
+            ExprKind::Tuple(parts) | ExprKind::List(parts) | ExprKind::Call(_, parts) => {
+                parts.iter().collect()
+            }
+            ExprKind::Field(value, _) | ExprKind::Negate(value) | ExprKind::Power(value, _) => {
+                vec![&**value]
+            }
+            ExprKind::Index(left, right) | ExprKind::Binary(_, left, right) => {
+                vec![&**left, &**right]
+            }
+            ExprKind::Number { .. } | ExprKind::Name(_) | ExprKind::Error => Vec::new(),
+        }
+    }
+
     /// Returns the expression that replaces a mistake.
     pub fn error(span: SourceSpan) -> Self {
         Expr {

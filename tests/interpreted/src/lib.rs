@@ -14,7 +14,6 @@ use std::rc::Rc;
 
 use linkage_language::diagnostic::Diagnostics;
 use linkage_language::model::{self, Library};
-use linkage_language::syntax;
 use proc_macro2::TokenStream;
 use quote::{format_ident, quote};
 
@@ -27,7 +26,7 @@ pub fn interpreted(input: proc_macro::TokenStream) -> proc_macro::TokenStream {
 fn expand(input: TokenStream) -> TokenStream {
     let text = input.to_string();
     let mut diagnostics = Diagnostics::default();
-    let definitions = syntax::parse(input, &mut diagnostics);
+    let definitions = model::read(input, &mut diagnostics);
     let Some(first) = definitions.first() else {
         return diagnostics.to_tokens();
     };

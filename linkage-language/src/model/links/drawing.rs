@@ -243,18 +243,10 @@ pub(super) fn names(expr: &Expr) -> Vec<&Ident> {
     let mut found = Vec::new();
     let mut open = vec![expr];
     while let Some(expr) = open.pop() {
-        match &expr.kind {
-            ExprKind::Name(name) => found.push(name),
-            ExprKind::Tuple(parts) | ExprKind::List(parts) | ExprKind::Call(_, parts) => {
-                open.extend(parts);
-            }
-            ExprKind::Field(value, _) | ExprKind::Negate(value) | ExprKind::Power(value, _) => {
-                open.push(value);
-            }
-            ExprKind::Index(value, index) => open.extend([&**value, &**index]),
-            ExprKind::Binary(_, left, right) => open.extend([&**left, &**right]),
-            ExprKind::Number { .. } | ExprKind::Error => {}
+        if let ExprKind::Name(name) = &expr.kind {
+            found.push(name);
         }
+        open.extend(expr.operands());
     }
     found
 }

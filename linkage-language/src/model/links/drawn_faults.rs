@@ -2,9 +2,9 @@
 //! wheels without a pivot on their carrier.
 
 use super::drawing::{DRAWN_APART, nominal};
-use super::linkage::{FRAME, Linkage, Path};
+use super::linkage::{FRAME, Linkage};
 use super::sheet::Sheet;
-use super::slides::start_joint;
+use super::slides::drawn_in_slot;
 use crate::diagnostic::Diagnostics;
 use crate::syntax::{ExprKind, Toleranced};
 
@@ -83,25 +83,9 @@ fn report_cylinders(sheet: &Sheet, diagnostics: &mut Diagnostics) {
 
 fn report_pins_beside_slots(sheet: &Sheet, diagnostics: &mut Diagnostics) {
     for slider in &sheet.linkage.sliders {
-        let direction = match slider.path {
-            Path::Line([first, second]) => {
-                let vector = sheet.drawing.vector(first, second);
-                vector.and_then(|vector| sheet.drawing.coordinates(&vector))
-            }
-            Path::Direction(angle, _) => {
-                let angle = sheet.drawing.angle(&sheet.drawing.at_reference(angle));
-                angle.map(|angle| [angle.cos(), angle.sin()])
-            }
-        };
-        let Some(start) = start_joint(slider) else {
+        let Some([_, beside]) = drawn_in_slot(slider, sheet.drawing) else {
             continue;
         };
-        let pin = sheet.drawing.vector(start, slider.pin);
-        let pin = pin.and_then(|vector| sheet.drawing.coordinates(&vector));
-        let (Some([u, v]), Some([x, y])) = (direction, pin) else {
-            continue;
-        };
-        let beside = (x * v - y * u).abs() / u.hypot(v);
         if beside > DRAWN_APART * size(sheet) {
             let pin = &sheet.linkage.joints[slider.pin].name;
             let fact = format!(

@@ -5,11 +5,11 @@ use super::linkage::{FRAME, Linkage};
 use super::locations::{self, angle, angle_of_line, drawn_angle, point, position};
 use super::nodes::{call, difference, negative, number, sum};
 use super::order::{AngleOf, Step, plan};
-use super::rigid_bodies::bodies;
+use super::rigid_bodies::Bodies;
 use super::sheet::Sheet;
 use super::slides::{
-    along, drawn_direction, drawn_position, guide, leads_on, point_in_slot, slot_angle, start_item,
-    start_joint,
+    along, drawn_direction, drawn_in_slot, drawn_position, guide, leads_on, point_in_slot,
+    slot_angle, slot_on_body, start_item, start_joint,
 };
 use super::{drawn_faults, mechanics, space, wheels};
 use crate::diagnostic::{Diagnostics, SourceSpan};
@@ -23,6 +23,7 @@ use crate::syntax::{
 pub(super) fn items(
     definition: &MechanismDef,
     linkage: &Linkage,
+    bodies: &Bodies,
     diagnostics: &mut Diagnostics,
 ) -> Vec<Item> {
     let drawing = drawing(definition, linkage);
@@ -35,20 +36,19 @@ pub(super) fn items(
         return space::items(linkage, &drawing, fixed, diagnostics);
     }
     refuse_axes(linkage, diagnostics);
-    let bodies = bodies(linkage);
-    let plan = plan(linkage, &bodies, diagnostics);
+    let plan = plan(linkage, bodies, diagnostics);
     let sheet = Sheet {
         linkage,
-        bodies: &bodies,
+        bodies,
         drawing: &drawing,
         plan: &plan,
     };
     drawn_faults::report(&sheet, diagnostics);
     let mut items = fixed_joints(linkage, &bodies.list[FRAME].joints, &drawing, diagnostics);
     items.extend(angles_of_the_frame(&sheet));
-    items.extend(locations::items(linkage, &bodies, &drawing, diagnostics));
+    items.extend(locations::items(linkage, bodies, &drawing, diagnostics));
     let sliders = linkage.sliders.iter();
-    items.extend(sliders.filter_map(|slider| start_item(linkage, slider, &drawing)));
+    items.extend(sliders.filter_map(|slider| start_item(slider, &drawing)));
     for step in &plan.steps {
         write_step(&sheet, step, &mut items, diagnostics);
     }
@@ -315,14 +315,7 @@ fn angle_by_pins(sheet: &Sheet, lead: usize, sliders: [usize; 2]) -> Expr {
                 None => turning,
             }
         };
-        let line = match one.path {
-            super::linkage::Path::Line(line) => {
-                angle_of_line(linkage, &bodies.list[turning_body], line)
-            }
-            super::linkage::Path::Direction(angle, _) => {
-                drawn_angle(linkage, lead, drawing).map(|drawn| difference(angle.clone(), drawn))
-            }
-        };
+        let line = slot_on_body(linkage, bodies, one, drawing);
         (reached, line)
     } else {
         let reached = slot_angle(linkage, bodies, one, drawing);
@@ -353,7 +346,7 @@ fn write_position(
         Some(at) => {
             let drawing = sheet.drawing;
             let reference = drawing.number(&drawing.at_reference(at));
-            let drawn = drawn_distance(slider, drawing);
+            let drawn = drawn_in_slot(slider, drawing).map(|[along, _]| along);
             if let (Some(reference), Some(drawn)) = (reference, drawn)
                 && (reference - drawn).abs() > DRAWN_APART * reference.abs().max(drawn.abs())
             {
@@ -370,24 +363,6 @@ fn write_position(
             Item::Let(NamedItem { name, value })
         }
     });
-}
-
-/// Returns the position of a slider as drawn, in metres.
-fn drawn_distance(slider: &super::linkage::Slider, drawing: &Drawing) -> Option<f64> {
-    let [u, v] = match slider.path {
-        super::linkage::Path::Line([first, second]) => {
-            let [x, y] = drawing.coordinates(&drawing.vector(first, second)?)?;
-            let length = x.hypot(y);
-            [x / length, y / length]
-        }
-        super::linkage::Path::Direction(angle, _) => {
-            let (sin, cos) = drawing.number(&drawing.at_reference(angle))?.sin_cos();
-            [cos, sin]
-        }
-    };
-    let start = start_joint(slider)?;
-    let [x, y] = drawing.coordinates(&drawing.vector(start, slider.pin)?)?;
-    Some(x * u + y * v)
 }
 
 /// Compares the given angle of a link with its drawing.

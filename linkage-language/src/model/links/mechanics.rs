@@ -8,7 +8,7 @@ use super::linkage::{FRAME, Linkage, Slider};
 use super::locations::{angle, point};
 use super::nodes::{call, ident};
 use super::order::Step;
-use super::rigid_bodies::bodies;
+use super::rigid_bodies::Bodies;
 use super::sheet::Sheet;
 use super::slides::{guide, slot_angle};
 use crate::diagnostic::Diagnostics;
@@ -107,20 +107,11 @@ fn has_forces(definition: &MechanismDef) -> bool {
 }
 
 fn calls_mechanics(expr: &Expr) -> bool {
-    match &expr.kind {
-        ExprKind::Call(function, arguments) => {
-            MechanicsWord::from_word(&function.to_string()).is_some()
-                || arguments.iter().any(calls_mechanics)
-        }
-        ExprKind::Tuple(parts) | ExprKind::List(parts) => parts.iter().any(calls_mechanics),
-        ExprKind::Field(value, _) | ExprKind::Negate(value) | ExprKind::Power(value, _) => {
-            calls_mechanics(value)
-        }
-        ExprKind::Index(left, right) | ExprKind::Binary(_, left, right) => {
-            calls_mechanics(left) || calls_mechanics(right)
-        }
-        ExprKind::Number { .. } | ExprKind::Name(_) | ExprKind::Error => false,
-    }
+    let is_asked = match &expr.kind {
+        ExprKind::Call(function, _) => MechanicsWord::from_word(&function.to_string()).is_some(),
+        _ => false,
+    };
+    is_asked || expr.operands().into_iter().any(calls_mechanics)
 }
 
 fn body_name<'s>(sheet: &'s Sheet, body: usize) -> &'s Ident {
@@ -270,8 +261,7 @@ fn slot_joint(sheet: &Sheet, slider: &Slider, taken: &mut BTreeSet<String>) -> J
 }
 
 /// Returns the links that have another name as bodies.
-pub(super) fn renamed_bodies(linkage: &Linkage) -> BTreeMap<String, String> {
-    let bodies = bodies(linkage);
+pub(super) fn renamed_bodies(linkage: &Linkage, bodies: &Bodies) -> BTreeMap<String, String> {
     let links = linkage.links.iter().zip(&bodies.of_link);
     links
         .map(|(link, body)| {

@@ -22,8 +22,16 @@ mod wheels;
 
 use std::collections::BTreeMap;
 
+use proc_macro2::TokenStream;
+
 use crate::diagnostic::Diagnostics;
-use crate::syntax::{Item, MechanismDef};
+use crate::syntax::{Item, MechanismDef, parse};
+
+/// Reads the mechanisms of a text, with loops in the place of their joints and links.
+pub fn read(tokens: TokenStream, diagnostics: &mut Diagnostics) -> Vec<MechanismDef> {
+    let definitions = parse(tokens, diagnostics);
+    expand(definitions, diagnostics)
+}
 
 /// Replaces the joints and links of each mechanism by other items. After a mistake their names stay
 /// known, without values: an item that could not be read would cause further messages.
@@ -56,8 +64,9 @@ fn expand_mechanism(
     let mut renamed = BTreeMap::new();
     let mut items = Vec::new();
     if let Some(linkage) = linkage {
-        items = link_items::items(&definition, &linkage, diagnostics);
-        renamed = mechanics::renamed_bodies(&linkage);
+        let bodies = rigid_bodies::bodies(&linkage);
+        items = link_items::items(&definition, &linkage, &bodies, diagnostics);
+        renamed = mechanics::renamed_bodies(&linkage, &bodies);
     }
     if !diagnostics.is_empty() {
         items = lost::items(&definition);

@@ -63,8 +63,6 @@ struct State<'a> {
     linkage: &'a Linkage<'a>,
     bodies: &'a Bodies,
     located: Vec<bool>,
-    /// The joint that each body begins at.
-    origins: Vec<Option<usize>>,
     reached: Vec<bool>,
     used: Vec<bool>,
     plan: Plan,
@@ -76,7 +74,6 @@ pub(super) fn plan(linkage: &Linkage, bodies: &Bodies, diagnostics: &mut Diagnos
         linkage,
         bodies,
         located: vec![false; count],
-        origins: vec![None; bodies.list.len()],
         reached: vec![false; bodies.list.len()],
         used: vec![false; linkage.sliders.len()],
         plan: Plan {
@@ -230,7 +227,6 @@ impl State<'_> {
         }
         self.plan.seats[from].get_or_insert(body);
         self.reached[body] = true;
-        self.origins[body] = Some(from);
         let follows = match angle {
             AngleOf::Pins { sliders } => Some(sliders[1]),
             _ => None,

@@ -4,7 +4,7 @@ use super::drawing::Drawing;
 use super::linkage::{FRAME, Linkage, Path, Slider};
 use super::locations::{angle, angle_of_line, drawn_angle, point};
 use super::nodes::{call, difference, ident, name, product, quantity, sum};
-use super::rigid_bodies::{Bodies, Body};
+use super::rigid_bodies::Bodies;
 use crate::model::types::Function;
 use crate::syntax::{Expr, Item, ItemName, ParamItem, Toleranced};
 
@@ -30,11 +30,10 @@ fn start(linkage: &Linkage, slider: &Slider) -> Expr {
 }
 
 /// Returns the parameter that the start of a slot is, if it is no joint.
-pub(super) fn start_item(linkage: &Linkage, slider: &Slider, drawing: &Drawing) -> Option<Item> {
+pub(super) fn start_item(slider: &Slider, drawing: &Drawing) -> Option<Item> {
     if start_joint(slider).is_some() {
         return None;
     }
-    let _ = linkage;
     let nominal = drawing.positions[slider.pin].clone()?;
     Some(Item::Param(ParamItem {
         attributes: Vec::new(),
@@ -60,17 +59,26 @@ pub(super) fn slot_angle(
             Path::Direction(angle, _) => angle.clone(),
         };
     }
-    let body: &Body = &bodies.list[body];
-    let turning = angle(linkage, body.lead());
-    let turned = match slider.path {
+    let turning = angle(linkage, bodies.list[body].lead());
+    match slot_on_body(linkage, bodies, slider, drawing) {
+        Some(turned) => sum(turning, turned),
+        None => turning,
+    }
+}
+
+/// Returns the direction of a slot in the axes of its body; `None` for the x axis.
+pub(super) fn slot_on_body(
+    linkage: &Linkage,
+    bodies: &Bodies,
+    slider: &Slider,
+    drawing: &Drawing,
+) -> Option<Expr> {
+    let body = &bodies.list[guide(bodies, slider)];
+    match slider.path {
         Path::Line(line) => angle_of_line(linkage, body, line),
         Path::Direction(angle, _) => {
             drawn_angle(linkage, body.lead(), drawing).map(|drawn| difference(angle.clone(), drawn))
         }
-    };
-    match turned {
-        Some(turned) => sum(turning, turned),
-        None => turning,
     }
 }
 
@@ -161,4 +169,22 @@ pub(super) fn leads_on(one: &Slider, other: &Slider, drawing: &Drawing) -> bool 
         (Some([x, y]), Some([u, v])) => x * u + y * v >= 0.0,
         _ => true,
     }
+}
+
+/// Returns the place of a pin as drawn, in metres from the start of its slot: along the slot, and
+/// beside it.
+pub(super) fn drawn_in_slot(slider: &Slider, drawing: &Drawing) -> Option<[f64; 2]> {
+    let [u, v] = match slider.path {
+        Path::Line([first, second]) => {
+            let [x, y] = drawing.coordinates(&drawing.vector(first, second)?)?;
+            let length = x.hypot(y);
+            [x / length, y / length]
+        }
+        Path::Direction(angle, _) => {
+            let (sin, cos) = drawing.angle(&drawing.at_reference(angle))?.sin_cos();
+            [cos, sin]
+        }
+    };
+    let [x, y] = drawing.coordinates(&drawing.vector(start_joint(slider)?, slider.pin)?)?;
+    Some([x * u + y * v, (x * v - y * u).abs()])
 }

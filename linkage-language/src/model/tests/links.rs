@@ -2,15 +2,14 @@
 
 use super::LINKS;
 use crate::diagnostic::Diagnostics;
-use crate::model::{Library, expand, resolve};
-use crate::syntax::{dump, parse};
+use crate::model::{Library, read, resolve};
+use crate::syntax::dump;
 
 /// The mechanisms as text, without joints and links, and all messages.
 fn expanded(source: &str) -> (String, Vec<String>) {
     let mut diagnostics = Diagnostics::default();
     let tokens = source.parse().expect("the source has tokens");
-    let definitions = parse(tokens, &mut diagnostics);
-    let definitions = expand(definitions, &mut diagnostics);
+    let definitions = read(tokens, &mut diagnostics);
     let text: String = definitions.iter().map(dump).collect();
     let library = Library::default();
     for definition in &definitions {

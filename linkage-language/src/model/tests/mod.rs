@@ -14,16 +14,14 @@ mod units;
 
 use std::rc::Rc;
 
-use super::{Library, Mechanism, expand, resolve};
+use super::{Library, Mechanism, read, resolve};
 use crate::diagnostic::Diagnostics;
-use crate::syntax::parse;
 
 /// The model, if there is no mistake, and the messages.
 pub(super) fn model(source: &str) -> (Option<Mechanism>, Vec<String>) {
     let mut diagnostics = Diagnostics::default();
     let tokens = source.parse().expect("the source has tokens");
-    let definitions = parse(tokens, &mut diagnostics);
-    let definition = expand(definitions, &mut diagnostics).pop();
+    let definition = read(tokens, &mut diagnostics).pop();
     let library = Library::default();
     let model = definition.and_then(|definition| resolve(&definition, &library, &mut diagnostics));
     let mechanism = model.map(|model| model.mechanism);
@@ -36,8 +34,7 @@ pub(super) fn model(source: &str) -> (Option<Mechanism>, Vec<String>) {
 fn last_of(source: &str) -> (Option<Mechanism>, Vec<String>) {
     let mut diagnostics = Diagnostics::default();
     let tokens = source.parse().expect("the source has tokens");
-    let definitions = parse(tokens, &mut diagnostics);
-    let definitions = expand(definitions, &mut diagnostics);
+    let definitions = read(tokens, &mut diagnostics);
     let mut library = Library::default();
     let mut last = None;
     for definition in &definitions {

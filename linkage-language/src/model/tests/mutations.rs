@@ -5,8 +5,8 @@ use proc_macro2::{Group, TokenStream, TokenTree};
 
 use super::{CRANK_ROCKER, LINKS, PRESS, SPACE_FORCES, SPATIAL, TWO_INPUTS};
 use crate::diagnostic::Diagnostics;
-use crate::model::{Library, expand, resolve};
-use crate::syntax::{dump, parse};
+use crate::model::{Library, read, resolve};
+use crate::syntax::dump;
 
 /// All tokens, those inside of groups too.
 fn collect(tokens: TokenStream, all: &mut Vec<TokenTree>) {
@@ -66,8 +66,7 @@ fn mutated_mechanisms_do_not_panic() {
             tokens = mutate(tokens, &pool, &mut random);
         }
         let mut diagnostics = Diagnostics::default();
-        let definitions = parse(tokens, &mut diagnostics);
-        let definitions = expand(definitions, &mut diagnostics);
+        let definitions = read(tokens, &mut diagnostics);
         let Some(definition) = definitions.into_iter().next_back() else {
             assert!(!diagnostics.is_empty());
             continue;
