@@ -59,15 +59,15 @@ pub(super) fn items(outline: &Outline, unit: &CompiledMechanism) -> TokenStream 
             fn data(__assembly: &#assembly<T>) -> &#runtime::DataOf<Self> { &__assembly.__sealed }
 
             #[inline(always)]
-            fn dimensions(&self) -> #as_ref<[T]> { self.__values() }
+            fn dimensions(&self) -> #as_ref<[T]> { __values(self) }
 
             #[inline(always)]
             fn with_dimensions(&self, __dimension: impl #runtime::Fn(__p::usize) -> T) -> Self {
-                Self::__of(__dimension)
+                __of(__dimension)
             }
 
             fn plain(&self, __dimension: impl #runtime::Fn(__p::usize) -> __p::f64) -> Self::Plain {
-                #name::__of(__dimension)
+                __of(__dimension)
             }
 
             #[inline(always)]

@@ -5,6 +5,7 @@ use proc_macro2::TokenStream;
 use quote::quote;
 
 use super::outline::{Field, Function, Outline, plain};
+use super::spanned::aside;
 use super::{attribute, result_module};
 use linkage_language::model::Shape;
 
@@ -25,7 +26,7 @@ pub(super) fn shown(outline: &Outline, function: &Function) -> Option<TokenStrea
     let result = result_module::result(outline, function);
     let title = plain(function.result);
     let fields = function.fields.iter().map(|field| {
-        let (name, title) = (field.name, plain(field.name));
+        let (name, title) = (aside(field.name), plain(field.name));
         match has_vectors(field) {
             true => quote!(.field(#title, &#runtime::named(&self.#name))),
             false => quote!(.field(#title, &self.#name)),

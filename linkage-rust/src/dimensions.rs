@@ -11,9 +11,9 @@ pub(super) fn items(outline: &Outline) -> TokenStream {
     let Outline { runtime, name, .. } = outline;
     let fields = outline.scalar_fields();
     let count = literal::index(fields.len());
-    let from_values = outline.body(quote!(Self::__of(|__k| __values[__k])));
-    let values = outline.body(quote!([#(self.#fields),*]));
-    let of_trait = outline.body(quote!(self.__values()));
+    let from_values = outline.body(quote!(__of(|__k| __values[__k])));
+    let values = outline.body(quote!([#(__mechanism.#fields),*]));
+    let of_trait = outline.body(quote!(__values(self)));
     quote! {
         #[automatically_derived]
         impl #runtime::Dimensions<#count> for #name<__p::f64> {
@@ -25,10 +25,8 @@ pub(super) fn items(outline: &Outline) -> TokenStream {
             #[inline]
             fn values(&self) -> [__p::f64; #count] { #of_trait }
         }
-        impl<T: #runtime::Scalar> #name<T> {
-            /// The scalar dimensions in the order of `PARAMETERS`.
-            #[inline(always)]
-            fn __values(&self) -> [T; #count] { #values }
-        }
+        /// The scalar dimensions in the order of `PARAMETERS`.
+        #[inline(always)]
+        fn __values<T: #runtime::Scalar>(__mechanism: &#name<T>) -> [T; #count] { #values }
     }
 }

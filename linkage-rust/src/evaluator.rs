@@ -9,7 +9,7 @@ use super::load::Places;
 use super::mechanism::{marker_field, marker_value};
 use super::outline::{Field, Function, Outline, plain};
 use super::shape::field_scalars;
-use super::spanned::type_at;
+use super::spanned::{aside, type_at};
 use super::stages::Version;
 use super::{array_types, attribute, debug, literal, result_module, stages};
 
@@ -142,7 +142,7 @@ pub(super) fn result_row(outline: &Outline, function: &Function) -> TokenStream 
     let fields = row_fields(outline, function, &row);
     let from_row = outline.body(quote!(Self { #fields }));
     let scalars = function.fields.iter().flat_map(|field| {
-        let name = field.name;
+        let name = aside(field.name);
         field_scalars(&field.shape, &quote!(self.#name))
     });
     let to_row = outline.body(quote!([#(#scalars),*]));
@@ -165,7 +165,7 @@ fn row_fields(outline: &Outline, function: &Function, row: &[Ident]) -> TokenStr
         .fields
         .iter()
         .map(|field| {
-            let name = field.name;
+            let name = aside(field.name);
             let value = outline.field_value(&field.shape, &mut scalars);
             quote!(#name: #value,)
         })

@@ -7,6 +7,7 @@ use quote::{format_ident, quote};
 
 use super::docs::{self, doc, documented, tokens, with_note};
 use super::outline::{Component, Outline, Parameter, plain};
+use super::spanned::aside;
 use super::{attribute, literal};
 use linkage_compiler::ir::in_degrees;
 
@@ -102,7 +103,7 @@ fn parameter_notes(outline: &Outline, parameter: &Parameter) -> [String; 2] {
 
 fn default(outline: &Outline) -> TokenStream {
     let name = outline.name;
-    let body = outline.body(quote!(Self::__of(|__k| Self::PARAMETERS[__k].nominal)));
+    let body = outline.body(quote!(__of(|__k| Self::PARAMETERS[__k].nominal)));
     quote! {
         #[automatically_derived]
         impl ::core::default::Default for #name<__p::f64> {
@@ -122,8 +123,8 @@ fn conversions(outline: &Outline) -> TokenStream {
     });
     let of_numbers = outline.body(from_scalars(outline, &mut scalars));
     let cast = outline.body(quote! {
-        let __values = self.__values();
-        #name::__of(|__k| <#other as #runtime::Scalar>::from_f64(__values[__k]))
+        let __values = __values(self);
+        __of(|__k| <#other as #runtime::Scalar>::from_f64(__values[__k]))
     });
     quote! {
         impl #name<__p::f64> {
@@ -131,10 +132,10 @@ fn conversions(outline: &Outline) -> TokenStream {
             #[must_use]
             pub fn cast<#other: #runtime::Scalar>(&self) -> #name<#other> { #cast }
         }
-        impl<T: #runtime::Scalar> #name<T> {
-            /// The dimensions, each by its index in `PARAMETERS`.
-            #[inline(always)]
-            fn __of(__number: impl #runtime::Fn(__p::usize) -> T) -> Self { #of_numbers }
+        /// The dimensions, each by its index in `PARAMETERS`.
+        #[inline(always)]
+        fn __of<T: #runtime::Scalar>(__number: impl #runtime::Fn(__p::usize) -> T) -> #name<T> {
+            #of_numbers
         }
     }
 }
@@ -143,7 +144,7 @@ fn conversions(outline: &Outline) -> TokenStream {
 fn from_scalars(outline: &Outline, scalars: &mut dyn Iterator<Item = TokenStream>) -> TokenStream {
     let name = outline.name;
     let fields = outline.parameters.iter().map(|parameter| {
-        let name = &parameter.name;
+        let name = aside(&parameter.name);
         let value = outline.field_value(&parameter.shape, scalars);
         quote!(#name: #value,)
     });

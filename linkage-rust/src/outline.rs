@@ -5,6 +5,7 @@ use std::borrow::Cow;
 use proc_macro2::{Ident, TokenStream};
 use quote::{format_ident, quote};
 
+use super::spanned::aside;
 use super::{count, docs, drawing};
 use linkage_compiler::ir::{self, CompiledMechanism};
 use linkage_language::model::{ASSEMBLY, COLUMNS, COMPONENTS, Shape};
@@ -231,7 +232,7 @@ impl<'a> Outline<'a> {
 
 impl Parameter<'_> {
     pub(super) fn scalar_fields(&self) -> Vec<TokenStream> {
-        let name = &self.name;
+        let name = aside(&self.name);
         match self.shape {
             Shape::Vector(n) => COMPONENTS[..n.min(3)]
                 .iter()

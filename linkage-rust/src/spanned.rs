@@ -1,6 +1,6 @@
-//! Types whose errors rustc reports at a word of the user.
+//! Types whose errors rustc reports at a word of the user, and names without a place in the text.
 
-use proc_macro2::{Ident, TokenStream};
+use proc_macro2::{Ident, Span, TokenStream};
 use quote::quote_spanned;
 
 /// A generated type, all of it but its fields where the user wrote `word`; so is its `visibility`.
@@ -27,4 +27,12 @@ pub(super) fn tuple_type_at(
     let mut name = name.clone();
     name.set_span(span);
     quote_spanned!(span=> #visibility struct #name<T = ::core::primitive::f64>(#field);)
+}
+
+/// The name as generated code uses it: an editor that asks for the meaning of the user's word does
+/// not come here.
+pub(super) fn aside(name: &Ident) -> Ident {
+    let mut name = name.clone();
+    name.set_span(Span::call_site());
+    name
 }

@@ -145,7 +145,7 @@ fn kernel(outline: &Outline, number: usize, outputs: usize) -> TokenStream {
                 __row: &mut impl #runtime::StageRow<#float>,
             ) {
                 let #moving { __modes, __turns, .. } = *__moving;
-                let __m = #name::<#float>::__of(|__k| __row.number(__k));
+                let __m: #name<#float> = __of(|__k| __row.number(__k));
                 let __prepared = #runtime::Compiled::prepare::<__FUSED>(&__m, __modes, __turns);
                 let [#(#found),*] = #assembly::<#float>::#method::<__FUSED>(
                     &__m, __modes, &__prepared, [#(#arguments),*],

@@ -140,26 +140,24 @@ const _: () = {
     impl ::core::default::Default for SliderCrank<__p::f64> {
         #[inline]
         fn default() -> Self {
-            Self::__of(|__k| Self::PARAMETERS[__k].nominal)
+            __of(|__k| Self::PARAMETERS[__k].nominal)
         }
     }
     impl SliderCrank<__p::f64> {
         /// The same dimensions in another scalar type: single precision, lanes, dual numbers.
         #[must_use]
         pub fn cast<U: __p::Scalar>(&self) -> SliderCrank<U> {
-            let __values = self.__values();
-            SliderCrank::__of(|__k| <U as __p::Scalar>::from_f64(__values[__k]))
+            let __values = __values(self);
+            __of(|__k| <U as __p::Scalar>::from_f64(__values[__k]))
         }
     }
-    impl<T: __p::Scalar> SliderCrank<T> {
-        /// The dimensions, each by its index in `PARAMETERS`.
-        #[inline(always)]
-        fn __of(__number: impl __p::Fn(__p::usize) -> T) -> Self {
-            SliderCrank {
-                crank: __number(0),
-                rod: __number(1),
-                offset: __number(2),
-            }
+    /// The dimensions, each by its index in `PARAMETERS`.
+    #[inline(always)]
+    fn __of<T: __p::Scalar>(__number: impl __p::Fn(__p::usize) -> T) -> SliderCrank<T> {
+        SliderCrank {
+            crank: __number(0),
+            rod: __number(1),
+            offset: __number(2),
         }
     }
     impl SliderCrank<__p::f64> {
@@ -300,19 +298,17 @@ const _: () = {
         const PARAMETERS: &'static [__p::Parameter] = Self::PARAMETERS;
         #[inline]
         fn from_values(__values: &[__p::f64; 3]) -> Self {
-            Self::__of(|__k| __values[__k])
+            __of(|__k| __values[__k])
         }
         #[inline]
         fn values(&self) -> [__p::f64; 3] {
-            self.__values()
+            __values(self)
         }
     }
-    impl<T: __p::Scalar> SliderCrank<T> {
-        /// The scalar dimensions in the order of `PARAMETERS`.
-        #[inline(always)]
-        fn __values(&self) -> [T; 3] {
-            [self.crank, self.rod, self.offset]
-        }
+    /// The scalar dimensions in the order of `PARAMETERS`.
+    #[inline(always)]
+    fn __values<T: __p::Scalar>(__mechanism: &SliderCrank<T>) -> [T; 3] {
+        [__mechanism.crank, __mechanism.rod, __mechanism.offset]
     }
     impl<T> SliderCrankAssembly<T> {
         /// The dimensions that it was assembled with.
@@ -419,17 +415,17 @@ const _: () = {
         }
         #[inline(always)]
         fn dimensions(&self) -> impl __p::AsRef<[T]> {
-            self.__values()
+            __values(self)
         }
         #[inline(always)]
         fn with_dimensions(&self, __dimension: impl __p::Fn(__p::usize) -> T) -> Self {
-            Self::__of(__dimension)
+            __of(__dimension)
         }
         fn plain(
             &self,
             __dimension: impl __p::Fn(__p::usize) -> __p::f64,
         ) -> Self::Plain {
-            SliderCrank::__of(__dimension)
+            __of(__dimension)
         }
         #[inline(always)]
         fn arguments(&self, __states: &(), __inputs: &[T; 1]) -> [T; 1] {
