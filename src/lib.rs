@@ -67,6 +67,9 @@ pub use linkage_runtime::{Handle, Handles, Scene};
 #[macro_export]
 macro_rules! mechanism {
     ($($tokens:tt)*) => {
+        // Before the mechanism: rust-analyzer completes in the first expansion of a word.
+        #[cfg(rust_analyzer)]
+        $crate::__private::names! { [$crate] $($tokens)* }
         $crate::__private::mechanism! { [$crate] $($tokens)* }
     };
 }
@@ -374,7 +377,7 @@ pub mod __private {
     pub use core::primitive::{bool, f64, usize};
     pub use core::result::Result;
     pub use core::result::Result::{Err, Ok};
-    pub use linkage_macros::mechanism;
+    pub use linkage_macros::{mechanism, names};
     #[cfg(any(feature = "std", feature = "libm"))]
     pub use linkage_runtime::support::assemble;
     pub use linkage_runtime::support::{

@@ -88,6 +88,22 @@ impl Driver {
         Self::run(body, &mut ())
     }
 
+    /// Resolves the names of all mechanisms of a call, without messages: those with a mistake in
+    /// them have no model.
+    pub fn resolve(body: TokenStream) -> Vec<(MechanismDef, Option<Rc<Model>>)> {
+        let definitions = model::read(body, &mut Diagnostics::default());
+        let (order, _) = part_order(&definitions);
+        let mut progress: Vec<Progress> = Vec::new();
+        progress.resize_with(definitions.len(), Progress::default);
+        for (rank, &index) in order.iter().enumerate() {
+            let library = library(&definitions, &progress, &order[..rank]);
+            let model = model::resolve(&definitions[index], &library, &mut Diagnostics::default());
+            progress[index].model = model.map(Rc::new);
+        }
+        let models = progress.into_iter().map(|progress| progress.model);
+        definitions.into_iter().zip(models).collect()
+    }
+
     /// Runs the phases for all mechanisms. The observer sees those of the last one.
     pub(crate) fn run(body: TokenStream, observer: &mut dyn PhaseObserver) -> Self {
         let mut syntax = Diagnostics::default();

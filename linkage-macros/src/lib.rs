@@ -14,3 +14,10 @@ pub fn mechanism(input: TokenStream) -> TokenStream {
     let programs = |_: &str, _: &_| String::new();
     linkage_rust::compile(input.into(), programs).into()
 }
+
+/// Called by the facade's `mechanism!` for rust-analyzer alone, with the same input: the names that
+/// the user wrote, for hovers, definitions, renaming and completions.
+#[proc_macro]
+pub fn names(input: TokenStream) -> TokenStream {
+    linkage_rust::names(input.into()).into()
+}

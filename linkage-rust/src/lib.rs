@@ -23,6 +23,7 @@ mod debug;
 mod dimensions;
 mod docs;
 mod drawing;
+mod editor_names;
 mod evaluator;
 mod follower;
 mod grouped;
@@ -52,6 +53,7 @@ use linkage_compiler::{Analysed, Driver};
 use proc_macro2::{Group, TokenStream, TokenTree};
 use quote::quote;
 
+pub use editor_names::names;
 use items::Printer;
 
 /// Compiles the macro's input: the path of the facade in brackets, then one or several mechanisms.

@@ -21,6 +21,16 @@ impl ItemName {
         Self { link, name }
     }
 
+    /// Returns the link that it is a quantity of.
+    pub fn link(&self) -> Option<&Ident> {
+        self.link.as_ref()
+    }
+
+    /// Returns the name after the dot of a quantity of a link, and any other name.
+    pub fn last(&self) -> &Ident {
+        &self.name
+    }
+
     /// Returns true for a quantity of a link.
     pub fn is_of_link(&self) -> bool {
         self.link.is_some()

@@ -31,6 +31,11 @@ pub fn mechanism_text(definition: &MechanismDef) -> String {
     text
 }
 
+/// Returns an item without its attributes and its `;`.
+pub fn item_text(item: &Item) -> String {
+    format!("{:#}", Line(item))
+}
+
 fn function_text(function: &FunctionDef) -> String {
     let visibility = function.visibility.to_string();
     let blank = if visibility.is_empty() { "" } else { " " };

@@ -1,6 +1,7 @@
 //! Emission of a mechanism written by hand, read back as Rust.
 
 mod drawing;
+mod editor_names;
 mod programs;
 mod sample;
 

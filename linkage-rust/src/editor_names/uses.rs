@@ -1,0 +1,244 @@
+//! The places of the macro's input where names are used, read from its tokens: an item that is half
+//! written has its names, too.
+
+use crate::spanned::aside;
+use linkage_language::syntax::{ItemWord, JointKind, LinkedWord, Word, is_unit};
+use proc_macro2::{Delimiter, Ident, TokenStream, TokenTree};
+
+/// A struct block or an `impl` block.
+#[derive(Default)]
+pub(super) struct Block {
+    /// The mechanism's name.
+    pub(super) name: String,
+    pub(super) uses: Vec<Use>,
+    /// The results of its functions.
+    pub(super) results: Vec<ResultType>,
+}
+
+/// The result type of a function.
+pub(super) struct ResultType {
+    pub(super) name: Ident,
+    /// The names that are fields by themselves, as `s` in `{ s, speed: velocity(s) }`.
+    pub(super) fields: Vec<String>,
+}
+
+/// A name where it is written.
+pub(super) struct Use {
+    /// The name, and the names after its dots.
+    pub(super) path: Vec<Ident>,
+    /// True where it is declared.
+    pub(super) declares: bool,
+}
+
+/// Returns the blocks in the order of the text.
+pub(super) fn blocks(tokens: TokenStream) -> Vec<Block> {
+    let mut blocks = Vec::new();
+    let mut word = None;
+    let mut name: Option<Ident> = None;
+    for token in tokens {
+        match token {
+            TokenTree::Ident(ident) if ident == "struct" || ident == "impl" => {
+                word = Some(ident.to_string());
+                name = None;
+            }
+            TokenTree::Ident(ident) => name = Some(ident),
+            TokenTree::Group(group) if group.delimiter() == Delimiter::Brace => {
+                let mut block = Block {
+                    name: name.take().map(|name| name.to_string()).unwrap_or_default(),
+                    ..Block::default()
+                };
+                match word.take().as_deref() {
+                    Some("struct") => items(group.stream(), &mut block),
+                    Some(_) => functions(group.stream(), &mut block),
+                    None => continue,
+                }
+                blocks.push(block);
+            }
+            TokenTree::Group(_) | TokenTree::Punct(_) | TokenTree::Literal(_) => {}
+        }
+    }
+    blocks
+}
+
+/// Items end with `;`.
+fn items(tokens: TokenStream, block: &mut Block) {
+    let tokens: Vec<TokenTree> = tokens.into_iter().collect();
+    for item in tokens.split(|token| is_punct(Some(token), ';')) {
+        let is_attribute = |token: &TokenTree| match token {
+            TokenTree::Punct(punct) => punct.as_char() == '#',
+            TokenTree::Group(group) => group.delimiter() == Delimiter::Bracket,
+            TokenTree::Ident(_) | TokenTree::Literal(_) => false,
+        };
+        let attributes = item.iter().take_while(|token| is_attribute(token)).count();
+        let Some((TokenTree::Ident(first), rest)) = item[attributes..].split_first() else {
+            continue;
+        };
+        let declares = ItemWord::from_word(&first.to_string()).map_or(Declares::Nothing, declares);
+        expression(rest, declares, &mut block.uses);
+    }
+}
+
+/// The declared names of an item.
+#[derive(Clone, Copy, PartialEq)]
+enum Declares {
+    Nothing,
+    /// The first name.
+    First,
+    /// Each name in front of `=`.
+    Several,
+}
+
+fn declares(word: ItemWord) -> Declares {
+    use linkage_language::syntax::DeclarationWord as Word;
+    match word {
+        ItemWord::Declaration(word) => match word {
+            Word::Unit | Word::Loop | Word::Gravity => Declares::Nothing,
+            Word::Const | Word::Param | Word::Input | Word::Unknown => Declares::First,
+            Word::Let | Word::Argument | Word::Part | Word::Body => Declares::First,
+        },
+        ItemWord::Joint(
+            JointKind::Pin
+            | JointKind::Slide
+            | JointKind::Roller
+            | JointKind::Ball
+            | JointKind::Cylinder
+            | JointKind::Fixed,
+        ) => Declares::First,
+        ItemWord::Load(_) => Declares::Nothing,
+        ItemWord::Linked(word) => match word {
+            LinkedWord::Joint => Declares::Several,
+            LinkedWord::Link | LinkedWord::Slider => Declares::First,
+            LinkedWord::Gears | LinkedWord::Belt | LinkedWord::Weld => Declares::Nothing,
+        },
+    }
+}
+
+/// `pub fn NAME(inputs) -> TYPE { quantities }`
+fn functions(tokens: TokenStream, block: &mut Block) {
+    let mut last = None;
+    for token in tokens {
+        match token {
+            TokenTree::Ident(ident) => last = Some(ident),
+            TokenTree::Group(group) => {
+                let inner: Vec<TokenTree> = group.stream().into_iter().collect();
+                match group.delimiter() {
+                    Delimiter::Parenthesis => {
+                        expression(&inner, Declares::Nothing, &mut block.uses);
+                    }
+                    Delimiter::Brace => {
+                        let fields = quantities(&inner, &mut block.uses);
+                        let name = last.take();
+                        block
+                            .results
+                            .extend(name.map(|name| ResultType { name, fields }));
+                    }
+                    Delimiter::Bracket | Delimiter::None => {}
+                }
+            }
+            TokenTree::Punct(_) | TokenTree::Literal(_) => {}
+        }
+    }
+}
+
+/// Returns the names that are fields by themselves.
+fn quantities(tokens: &[TokenTree], uses: &mut Vec<Use>) -> Vec<String> {
+    let mut fields = Vec::new();
+    for quantity in tokens.split(|token| is_punct(Some(token), ',')) {
+        let named = quantity
+            .iter()
+            .rposition(|token| is_punct(Some(token), '#'))
+            .map_or(quantity, |doc| &quantity[(doc + 2).min(quantity.len())..]);
+        match named {
+            [TokenTree::Ident(_), colon, value @ ..] if is_punct(Some(colon), ':') => {
+                expression(value, Declares::Nothing, uses);
+            }
+            _ => {
+                expression(named, Declares::Nothing, uses);
+                if let [TokenTree::Ident(field)] = named {
+                    fields.push(field.to_string());
+                }
+            }
+        }
+    }
+    fields
+}
+
+fn expression(tokens: &[TokenTree], declares: Declares, uses: &mut Vec<Use>) {
+    let mut index = 0;
+    while let Some(token) = tokens.get(index) {
+        index += 1;
+        match token {
+            TokenTree::Group(group) => {
+                let inner: Vec<TokenTree> = group.stream().into_iter().collect();
+                match (group.delimiter(), tokens.first()) {
+                    (Delimiter::Brace, Some(TokenTree::Ident(part))) => given(part, &inner, uses),
+                    _ => expression(&inner, Declares::Nothing, uses),
+                }
+            }
+            TokenTree::Ident(name) => {
+                let declares = match declares {
+                    Declares::Nothing => false,
+                    Declares::First => index == 1,
+                    Declares::Several => is_punct(tokens.get(index), '='),
+                };
+                let mut path = vec![name.clone()];
+                while let (true, Some(TokenTree::Ident(member))) =
+                    (is_punct(tokens.get(index), '.'), tokens.get(index + 1))
+                {
+                    path.push(member.clone());
+                    index += 2;
+                }
+                let is_call = matches!(tokens.get(index), Some(TokenTree::Group(group))
+                    if group.delimiter() == Delimiter::Parenthesis);
+                // A function's name, unless an operand of an item begins with a parenthesis.
+                if !is_call || declares {
+                    uses.push(Use { path, declares });
+                }
+            }
+            TokenTree::Punct(_) | TokenTree::Literal(_) => {}
+        }
+    }
+}
+
+/// `NAME = expression, ...` of a part: the names are those of its mechanism.
+fn given(part: &Ident, tokens: &[TokenTree], uses: &mut Vec<Use>) {
+    for one in tokens.split(|token| is_punct(Some(token), ',')) {
+        let (name, value) = match one {
+            [TokenTree::Ident(name), equals, value @ ..] if is_punct(Some(equals), '=') => {
+                (Some(name), value)
+            }
+            _ => (None, one),
+        };
+        uses.extend(name.map(|name| Use {
+            path: vec![aside(part), name.clone()],
+            declares: false,
+        }));
+        expression(value, Declares::Nothing, uses);
+    }
+}
+
+fn is_punct(token: Option<&TokenTree>, wanted: char) -> bool {
+    matches!(token, Some(TokenTree::Punct(punct)) if punct.as_char() == wanted)
+}
+
+/// Returns true for a word of items, of clauses or of units: it may be a name, but not one that is
+/// missing.
+pub(super) fn is_word(word: &str) -> bool {
+    const OTHERS: [&str; 12] = [
+        "around",
+        "along",
+        "block",
+        "by",
+        "in",
+        "length",
+        "on",
+        "radii",
+        "radius",
+        "redundant",
+        "teeth",
+        "through",
+    ];
+    let of_clause = linkage_language::syntax::ClauseWord::from_word(word).is_some();
+    let of_item = ItemWord::from_word(word).is_some();
+    of_clause || of_item || is_unit(word) || OTHERS.contains(&word)
+}
