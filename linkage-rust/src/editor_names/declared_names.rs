@@ -94,7 +94,7 @@ impl Declared {
 }
 
 /// Returns the type of a name of a mechanism without mistakes.
-fn type_of<'m>(mechanism: &'m Mechanism, name: &str) -> Option<Type> {
+fn type_of(mechanism: &Mechanism, name: &str) -> Option<Type> {
     let scalar = |dimension| Type::Scalar(dimension);
     let parameters = mechanism
         .parameters

@@ -2,7 +2,7 @@
 //! written has its names, too.
 
 use crate::spanned::aside;
-use linkage_language::syntax::{ItemWord, JointKind, LinkedWord, Word, is_unit};
+use linkage_language::syntax::{ItemWord, LinkedWord, Word, is_unit};
 use proc_macro2::{Delimiter, Ident, TokenStream, TokenTree};
 
 /// A struct block or an `impl` block.
@@ -96,14 +96,7 @@ fn declares(word: ItemWord) -> Declares {
             Word::Const | Word::Param | Word::Input | Word::Unknown => Declares::First,
             Word::Let | Word::Argument | Word::Part | Word::Body => Declares::First,
         },
-        ItemWord::Joint(
-            JointKind::Pin
-            | JointKind::Slide
-            | JointKind::Roller
-            | JointKind::Ball
-            | JointKind::Cylinder
-            | JointKind::Fixed,
-        ) => Declares::First,
+        ItemWord::Joint(_) => Declares::First,
         ItemWord::Load(_) => Declares::Nothing,
         ItemWord::Linked(word) => match word {
             LinkedWord::Joint => Declares::Several,
