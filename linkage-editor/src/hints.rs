@@ -19,37 +19,34 @@ pub struct Hint {
     pub is_solution: bool,
 }
 
-impl Document {
-    /// Returns the values of derived quantities, and the solutions of unknowns that differ from
-    /// their estimates. There are none while the text has mistakes.
-    #[must_use]
-    pub fn hints(&self) -> Vec<Hint> {
-        if !self.values_are_present() {
-            return Vec::new();
-        }
-        let mut hints = Vec::new();
-        for outline in &self.outlines {
-            let Some(values) = self.values(&outline.mechanism.name) else {
-                continue;
+/// Returns the values of derived quantities, and the solutions of unknowns that differ from
+/// their estimates. There are none while the text has mistakes.
+pub(crate) fn hints(document: &Document) -> Vec<Hint> {
+    if !document.values_are_present() {
+        return Vec::new();
+    }
+    let mut hints = Vec::new();
+    for outline in &document.outlines {
+        let Some(values) = document.values(&outline.mechanism.name) else {
+            continue;
+        };
+        for name in &outline.names {
+            let is_solution = name.kind == NameKind::Unknown;
+            let value = match name.kind {
+                NameKind::Derived => values.names.get(&name.name),
+                NameKind::Unknown => solution(values, &name.name),
+                _ => None,
             };
-            for name in &outline.names {
-                let is_solution = name.kind == NameKind::Unknown;
-                let value = match name.kind {
-                    NameKind::Derived => values.names.get(&name.name),
-                    NameKind::Unknown => solution(values, &name.name),
-                    _ => None,
-                };
-                if let Some(value) = value {
-                    hints.push(Hint {
-                        offset: name.item.end,
-                        label: format!(" = {}", shown::short(value)),
-                        is_solution,
-                    });
-                }
+            if let Some(value) = value {
+                hints.push(Hint {
+                    offset: name.item.end,
+                    label: format!(" = {}", shown::short(value)),
+                    is_solution,
+                });
             }
         }
-        hints
     }
+    hints
 }
 
 /// Returns the solution of an unknown if it differs from the estimate that is written.

@@ -20,6 +20,7 @@
 //! Places are bytes of the text.
 
 mod analysis;
+mod answers;
 mod completion;
 mod context;
 mod cursor;

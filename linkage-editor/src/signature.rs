@@ -5,6 +5,7 @@ use std::ops::Range;
 use linkage_language::model::{Function, MotionLawWord, QuantityWord};
 use linkage_language::syntax::Word;
 
+use crate::context::call_at;
 use crate::document::Document;
 
 /// A call of a function or quantity.
@@ -20,33 +21,30 @@ pub struct Signature {
     pub documentation: String,
 }
 
-impl Document {
-    /// Returns the call around a byte.
-    #[must_use]
-    pub fn signature(&self, offset: usize) -> Option<Signature> {
-        let call = self.call_at(offset)?;
-        let word = call.word.as_str();
-        let described = Function::from_word(word)
-            .map(|word| (call_of_function(word), word.description()))
-            .or_else(|| {
-                let word = QuantityWord::from_word(word)?;
-                Some((call_of_quantity(word), word.description()))
-            })
-            .or_else(|| {
-                let word = MotionLawWord::from_word(word)?;
-                let form = word.form();
-                // Of several forms, the first one.
-                let form = form.split('`').next().unwrap_or(form);
-                Some((form.to_owned(), word.description()))
-            });
-        let (label, documentation) = described?;
-        Some(Signature {
-            arguments: arguments(&label),
-            label,
-            active: call.argument,
-            documentation: documentation.to_owned(),
+/// Returns the call around a byte.
+pub(crate) fn signature(document: &Document, offset: usize) -> Option<Signature> {
+    let call = call_at(document, offset)?;
+    let word = call.word.as_str();
+    let described = Function::from_word(word)
+        .map(|word| (call_of_function(word), word.description()))
+        .or_else(|| {
+            let word = QuantityWord::from_word(word)?;
+            Some((call_of_quantity(word), word.description()))
         })
-    }
+        .or_else(|| {
+            let word = MotionLawWord::from_word(word)?;
+            let form = word.form();
+            // Of several forms, the first one.
+            let form = form.split('`').next().unwrap_or(form);
+            Some((form.to_owned(), word.description()))
+        });
+    let (label, documentation) = described?;
+    Some(Signature {
+        arguments: arguments(&label),
+        label,
+        active: call.argument,
+        documentation: documentation.to_owned(),
+    })
 }
 
 /// Returns the call of a function as messages show it.

@@ -22,27 +22,24 @@ pub struct Symbol {
     pub inner: Vec<Symbol>,
 }
 
-impl Document {
-    /// Returns the mechanisms, their names and functions.
-    #[must_use]
-    pub fn symbols(&self) -> Vec<Symbol> {
-        let outlines = self.outlines.iter();
-        let mechanisms = outlines.map(|outline| {
-            let facts = self.facts(&outline.mechanism.name);
-            let named = |declared: &Declaration| {
-                let fact = facts.and_then(|facts| facts.names.get(&declared.name));
-                let detail = fact.map_or_else(String::new, |fact| fact.ty.clone());
-                symbol(declared, detail, Vec::new())
-            };
-            let functions = outline.functions.iter().map(|function| {
-                let fields = function.fields.iter().map(named);
-                symbol(&function.function, String::new(), fields.collect())
-            });
-            let inner = outline.names.iter().map(named).chain(functions);
-            symbol(&outline.mechanism, String::new(), inner.collect())
+/// Returns the mechanisms, their names and functions.
+pub(crate) fn symbols(document: &Document) -> Vec<Symbol> {
+    let outlines = document.outlines.iter();
+    let mechanisms = outlines.map(|outline| {
+        let facts = document.facts(&outline.mechanism.name);
+        let named = |declared: &Declaration| {
+            let fact = facts.and_then(|facts| facts.names.get(&declared.name));
+            let detail = fact.map_or_else(String::new, |fact| fact.ty.clone());
+            symbol(declared, detail, Vec::new())
+        };
+        let functions = outline.functions.iter().map(|function| {
+            let fields = function.fields.iter().map(named);
+            symbol(&function.function, String::new(), fields.collect())
         });
-        mechanisms.collect()
-    }
+        let inner = outline.names.iter().map(named).chain(functions);
+        symbol(&outline.mechanism, String::new(), inner.collect())
+    });
+    mechanisms.collect()
 }
 
 fn symbol(declared: &Declaration, detail: String, inner: Vec<Symbol>) -> Symbol {

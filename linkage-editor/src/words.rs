@@ -5,6 +5,7 @@ use std::ops::Range;
 use linkage_language::model::{Function, Law, MotionLawWord, QuantityWord};
 use linkage_language::syntax::{ClauseWord, ItemWord, Word};
 
+use crate::context::next_solid;
 use crate::document::Document;
 use crate::lexer::Kind;
 use crate::outline::NameKind;
@@ -35,52 +36,44 @@ pub enum Colour {
     Name(NameKind),
 }
 
-impl Document {
-    /// Returns the words of a text with their meanings, in order. Marks, brackets and unknown words
-    /// are left out.
-    #[must_use]
-    pub fn words(&self) -> Vec<ColouredWord> {
-        let mut found = Vec::new();
-        let mut add = |range: Range<usize>, colour| {
-            if !range.is_empty() {
-                found.push(ColouredWord { range, colour });
-            }
-        };
-        let mut uses = self.uses.iter().peekable();
-        for (index, token) in self.tokens.iter().enumerate() {
-            let text = token.text(&self.text);
-            match token.kind {
-                Kind::Comment | Kind::Documentation => add(token.range.clone(), Colour::Comment),
-                Kind::Number => {
-                    let unit = text.trim_end_matches(char::is_alphabetic).len();
-                    let middle = token.range.start + unit;
-                    add(token.range.start..middle, Colour::Number);
-                    add(middle..token.range.end, Colour::Unit);
-                }
-                Kind::Word => {
-                    while uses
-                        .next_if(|found| found.range.start < token.range.start)
-                        .is_some()
-                    {}
-                    let own = uses.peek().filter(|found| found.range == token.range);
-                    let colour = match own {
-                        Some(found) => Some(Colour::Name(self.named(found.symbol).2)),
-                        None => colour(text, self.next_solid(index) == "("),
-                    };
-                    if let Some(colour) = colour {
-                        add(token.range.clone(), colour);
-                    }
-                }
-                Kind::Blank
-                | Kind::Text
-                | Kind::Open
-                | Kind::Close
-                | Kind::Mark
-                | Kind::Unknown => {}
-            }
+/// Returns the words of a text with their meanings, in order. Marks, brackets and unknown words
+/// are left out.
+pub(crate) fn words(document: &Document) -> Vec<ColouredWord> {
+    let mut found = Vec::new();
+    let mut add = |range: Range<usize>, colour| {
+        if !range.is_empty() {
+            found.push(ColouredWord { range, colour });
         }
-        found
+    };
+    let mut uses = document.uses.iter().peekable();
+    for (index, token) in document.tokens.iter().enumerate() {
+        let text = token.text(&document.text);
+        match token.kind {
+            Kind::Comment | Kind::Documentation => add(token.range.clone(), Colour::Comment),
+            Kind::Number => {
+                let unit = text.trim_end_matches(char::is_alphabetic).len();
+                let middle = token.range.start + unit;
+                add(token.range.start..middle, Colour::Number);
+                add(middle..token.range.end, Colour::Unit);
+            }
+            Kind::Word => {
+                while uses
+                    .next_if(|found| found.range.start < token.range.start)
+                    .is_some()
+                {}
+                let own = uses.peek().filter(|found| found.range == token.range);
+                let colour = match own {
+                    Some(found) => Some(Colour::Name(document.named(found.symbol).2)),
+                    None => colour(text, next_solid(document, index) == "("),
+                };
+                if let Some(colour) = colour {
+                    add(token.range.clone(), colour);
+                }
+            }
+            Kind::Blank | Kind::Text | Kind::Open | Kind::Close | Kind::Mark | Kind::Unknown => {}
+        }
     }
+    found
 }
 
 /// Returns the meaning of a word that is no declared name.
