@@ -7,12 +7,60 @@ use linkage_language::syntax::{
 use proc_macro2::{Ident, Span, TokenStream};
 use quote::{format_ident, quote};
 
+/// The names of a mechanism.
+pub(super) struct Names {
+    pub(super) mechanism: Ident,
+    declared: Vec<Declared>,
+}
+
+impl Names {
+    /// Returns the names of a mechanism as it is written and, after them, those that only its
+    /// complete form has.
+    pub(super) fn new(written: &MechanismDef, complete: &MechanismDef) -> Self {
+        Self {
+            mechanism: written.name.clone(),
+            declared: declared([written, complete]),
+        }
+    }
+
+    /// Returns the declaration of a name, or of a quantity of a link.
+    pub(super) fn find(&self, link: Option<&str>, name: &Ident) -> Option<&Declared> {
+        self.declared.iter().find(|declared| {
+            let is_of_link = match (&declared.link, link) {
+                (Some(declared), Some(link)) => declared == link,
+                (declared, link) => declared.is_none() && link.is_none(),
+            };
+            is_of_link && declared.name == *name
+        })
+    }
+
+    /// The types whose fields are the names: of the mechanism, and of each link.
+    pub(super) fn types(&self, mechanism: Option<&Mechanism>) -> TokenStream {
+        let of_link = |link: Option<&Ident>| {
+            let fields = self
+                .declared
+                .iter()
+                .filter(|declared| declared.link.as_ref() == link);
+            let fields = fields.map(|declared| declared.field(&self.mechanism, mechanism));
+            let holder = holder(&self.mechanism, link);
+            quote!(struct #holder { #(#fields)* })
+        };
+        let links = self
+            .declared
+            .iter()
+            .filter(|declared| matches!(declared.kind, Kind::Link));
+        let links = links.map(|link| of_link(Some(&link.name)));
+        let values = of_link(None);
+        quote!(#values #(#links)*)
+    }
+}
+
 /// A declared name.
 pub(super) struct Declared {
-    pub(super) name: Ident,
+    name: Ident,
     pub(super) kind: Kind,
     /// The link that it is a quantity of.
-    pub(super) link: Option<Ident>,
+    link: Option<Ident>,
     /// Its doc comment.
     documentation: String,
     /// Its declaration without the `;`.
@@ -31,9 +79,8 @@ pub(super) enum Kind {
     Link,
 }
 
-/// Returns the names of a mechanism as it is written and, after them, those that only its complete
-/// form has; each name once.
-pub(super) fn declared(forms: [&MechanismDef; 2]) -> Vec<Declared> {
+/// Returns the names of all forms in order, each name once.
+fn declared(forms: [&MechanismDef; 2]) -> Vec<Declared> {
     let mut all: Vec<Declared> = Vec::new();
     for item in forms.into_iter().flat_map(|form| &form.items) {
         let attributes: &[Attribute] = match item {
@@ -61,7 +108,7 @@ pub(super) fn declared(forms: [&MechanismDef; 2]) -> Vec<Declared> {
 
 impl Declared {
     /// The field that it is, with docs for hovers.
-    pub(super) fn field(&self, of: &Ident, mechanism: Option<&Mechanism>) -> TokenStream {
+    fn field(&self, of: &Ident, mechanism: Option<&Mechanism>) -> TokenStream {
         let name = &self.name;
         let written = match &self.link {
             Some(link) => format!("{link}.{name}"),
@@ -86,8 +133,8 @@ impl Declared {
                 let holder = holder(of, Some(name));
                 quote!(#holder)
             }
-            (_, Some(Type::Vector(count, _))) => quote!([::core::primitive::f64; #count]),
-            (_, _) => quote!(::core::primitive::f64),
+            (_, Some(Type::Vector(count, _))) => quote!([f64; #count]),
+            (_, _) => quote!(f64),
         };
         quote!(#[doc = #docs] #name: #field,)
     }
@@ -138,7 +185,13 @@ fn names_of(item: &Item) -> Vec<(ItemName, Kind)> {
         }
         Item::Unknown(item) => vec![(item.name.clone(), Kind::Value)],
         Item::Param(item) => vec![(item.name.clone(), Kind::Parameter)],
-        Item::Input(item) => value(&item.name),
+        Item::Input(item) => {
+            let rates = item.speed.iter().chain(&item.acceleration);
+            std::iter::once(&item.name)
+                .chain(rates)
+                .flat_map(value)
+                .collect()
+        }
         Item::Part(item) => vec![(item.name.clone().into(), Kind::Part(item.mechanism.clone()))],
         Item::Body(BodyItem { name, joint, .. }) => {
             let joint = joint.name.iter().flat_map(value);

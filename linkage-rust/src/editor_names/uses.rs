@@ -22,12 +22,14 @@ pub(super) struct ResultType {
     pub(super) fields: Vec<String>,
 }
 
-/// A name where it is written.
-pub(super) struct Use {
-    /// The name, and the names after its dots.
-    pub(super) path: Vec<Ident>,
-    /// True where it is declared.
-    pub(super) declares: bool,
+/// A word where it is written.
+pub(super) enum Use {
+    /// A name, and the names after its dots.
+    Name { path: Vec<Ident>, declares: bool },
+    /// The word in front of a parenthesis.
+    Call(Ident),
+    /// The word that an item begins with.
+    Item(Ident),
 }
 
 /// Returns the blocks in the order of the text.
@@ -73,6 +75,7 @@ fn items(tokens: TokenStream, block: &mut Block) {
         let Some((TokenTree::Ident(first), rest)) = item[attributes..].split_first() else {
             continue;
         };
+        block.uses.push(Use::Item(first.clone()));
         let declares = ItemWord::from_word(&first.to_string()).map_or(Declares::Nothing, declares);
         expression(rest, declares, &mut block.uses);
     }
@@ -183,10 +186,10 @@ fn expression(tokens: &[TokenTree], declares: Declares, uses: &mut Vec<Use>) {
                 }
                 let is_call = matches!(tokens.get(index), Some(TokenTree::Group(group))
                     if group.delimiter() == Delimiter::Parenthesis);
-                // A function's name, unless an operand of an item begins with a parenthesis.
-                if !is_call || declares {
-                    uses.push(Use { path, declares });
-                }
+                uses.push(match is_call && !declares {
+                    true => Use::Call(name.clone()),
+                    false => Use::Name { path, declares },
+                });
             }
             TokenTree::Punct(_) | TokenTree::Literal(_) => {}
         }
@@ -202,7 +205,7 @@ fn given(part: &Ident, tokens: &[TokenTree], uses: &mut Vec<Use>) {
             }
             _ => (None, one),
         };
-        uses.extend(name.map(|name| Use {
+        uses.extend(name.map(|name| Use::Name {
             path: vec![aside(part), name.clone()],
             declares: false,
         }));
@@ -214,24 +217,20 @@ fn is_punct(token: Option<&TokenTree>, wanted: char) -> bool {
     matches!(token, Some(TokenTree::Punct(punct)) if punct.as_char() == wanted)
 }
 
-/// Returns true for a word of items, of clauses or of units: it may be a name, but not one that is
-/// missing.
+/// Returns true for a word of clauses or of units that has no meaning alone: it may be a name, but
+/// not one that is missing.
 pub(super) fn is_word(word: &str) -> bool {
-    const OTHERS: [&str; 12] = [
+    const OTHERS: [&str; 10] = [
         "around",
-        "along",
         "block",
         "by",
         "in",
         "length",
-        "on",
         "radii",
         "radius",
         "redundant",
         "teeth",
         "through",
     ];
-    let of_clause = linkage_language::syntax::ClauseWord::from_word(word).is_some();
-    let of_item = ItemWord::from_word(word).is_some();
-    of_clause || of_item || is_unit(word) || OTHERS.contains(&word)
+    is_unit(word) || OTHERS.contains(&word)
 }

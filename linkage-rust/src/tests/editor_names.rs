@@ -69,7 +69,7 @@ fn accesses_come_before_fields_and_name_every_use() {
             .find(piece)
             .unwrap_or_else(|| panic!("{piece}: {printed}"))
     };
-    assert!(position("__n1 . theta") < position("theta : :: core :: primitive :: f64"));
+    assert!(position("__n1 . theta") < position("theta : f64"));
     for piece in [
         "__m0 . radius ;",
         "__n1 . wheel . phi ;",
@@ -77,12 +77,21 @@ fn accesses_come_before_fields_and_name_every_use() {
         "__m1 . rod ;",
         "__r0 . s ;",
         "Length of the rod.\\n\\n`param rod = 60mm +- 0.1mm`",
+        "__Machine_names :: velocity ;",
+        "__w . r#loop ;",
+        "fn polar (& self , r#length : f64 , r#angle : f64)",
         "wheel : __Crank_names ,",
         "arm : __Machine_names_arm ,",
     ] {
         position(piece);
     }
-    for piece in ["velocity", "__n1 . mm", "__n1 . at ;", "__n1 . mass"] {
+    for piece in [
+        "__n1 . velocity",
+        "__n1 . mm",
+        "__n1 . at ;",
+        "__n1 . mass",
+        "__n1 . Crank",
+    ] {
         assert!(!printed.contains(piece), "{piece}: {printed}");
     }
 }

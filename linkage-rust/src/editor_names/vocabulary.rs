@@ -1,0 +1,76 @@
+//! Words of the language as items that editors know: their meanings in hovers, and functions among
+//! the completions.
+
+use std::collections::BTreeSet;
+
+use linkage_language::model::{Function, Law, MotionLawWord, QuantityWord, Repeating, SplineWord};
+use linkage_language::syntax::{ClauseWord, ItemWord, Word};
+use proc_macro2::{Ident, Span, TokenStream};
+use quote::{format_ident, quote};
+
+/// Returns a word of items, of clauses or of laws of motion.
+pub(super) fn word(word: &str) -> Option<&'static str> {
+    described(word).map(|(word, _)| word)
+}
+
+/// Returns the word with its meaning.
+fn described(word: &str) -> Option<(&'static str, &'static str)> {
+    row::<ItemWord>(word)
+        .or_else(|| row::<ClauseWord>(word))
+        .or_else(|| row::<Law>(word))
+        .or_else(|| row::<SplineWord>(word))
+        .or_else(|| row::<Repeating>(word))
+}
+
+fn row<W: Word>(word: &str) -> Option<(&'static str, &'static str)> {
+    W::from_word(word).map(|word| (word.word(), word.description()))
+}
+
+/// A word as a name of Rust, where it is written.
+pub(super) fn raw(word: &Ident) -> Ident {
+    Ident::new_raw(&word.to_string(), word.span())
+}
+
+/// The type whose fields are these words.
+pub(super) fn words(holder: &Ident, words: &BTreeSet<&str>) -> TokenStream {
+    let fields = words.iter().filter_map(|word| {
+        let (_, meaning) = described(word)?;
+        let field = Ident::new_raw(word, Span::call_site());
+        Some(quote!(#[doc = #meaning] #field: (),))
+    });
+    quote!(struct #holder { #(#fields)* })
+}
+
+/// Returns true for a function of expressions or a quantity.
+pub(super) fn is_function(word: &str) -> bool {
+    functions().any(|(function, ..)| function == word)
+}
+
+/// The functions as methods of the names of a mechanism: where a name can be written, they can.
+pub(super) fn methods(holder: &Ident) -> TokenStream {
+    let methods = functions().map(|(word, arguments, meaning)| {
+        let name = format_ident!("{word}");
+        let arguments = arguments.iter().enumerate().map(|(index, argument)| {
+            // Some may be left out, and some come twice.
+            let plain = argument.trim_end_matches('?').trim_matches(['[', ']']);
+            let is_second = arguments[..index]
+                .iter()
+                .any(|before| before.starts_with(plain));
+            let number = if is_second { "2" } else { "" };
+            let argument = Ident::new_raw(&format!("{plain}{number}"), Span::call_site());
+            quote!(#argument: f64)
+        });
+        quote!(#[doc = #meaning] fn #name(&self, #(#arguments),*) {})
+    });
+    quote!(impl #holder { #(#methods)* })
+}
+
+/// Each word with its arguments and its meaning.
+fn functions() -> impl Iterator<Item = (&'static str, &'static [&'static str], &'static str)> {
+    let functions =
+        Function::all().map(|word| (word.word(), word.parameters(), word.description()));
+    let laws = MotionLawWord::all().map(|word| (word.word(), &[][..], word.description()));
+    let quantities =
+        QuantityWord::all().map(|word| (word.word(), word.parameters(), word.description()));
+    functions.chain(laws).chain(quantities)
+}
