@@ -1,0 +1,6 @@
+//! The grammars of editors against the texts and the words of the language.
+
+mod corpus;
+mod queries;
+mod texts;
+mod words;
