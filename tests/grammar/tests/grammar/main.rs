@@ -2,5 +2,6 @@
 
 mod corpus;
 mod queries;
+mod snippets;
 mod texts;
 mod words;

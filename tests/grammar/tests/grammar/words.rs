@@ -3,7 +3,9 @@
 use linkage_grammar::{kinds_of_words, listed_by_message, quoted, read};
 use linkage_language::model::{Ends, Function, Law, MotionLawWord, QuantityWord};
 use linkage_language::syntax::{JointKind, Word};
+use serde_json::Value;
 
+const TEXTMATE: &str = "editors/vscode/syntaxes/linkage.tmLanguage.json";
 const HIGHLIGHTS: [&str; 2] = [
     "editors/neovim/queries/linkage/highlights.scm",
     "editors/helix/queries/linkage/highlights.scm",
@@ -79,5 +81,59 @@ fn the_colours_have_all_words() {
         ] {
             assert_has(path, &present, &wanted);
         }
+    }
+}
+
+/// Collects the words of all patterns of a grammar.
+fn words_of_patterns(grammar: &Value, words: &mut Vec<String>) {
+    match grammar {
+        Value::Object(fields) => {
+            for (name, value) in fields {
+                match (name.as_str(), value.as_str()) {
+                    ("match", Some(pattern)) => words.extend(words_of_pattern(pattern)),
+                    _ => words_of_patterns(value, words),
+                }
+            }
+        }
+        Value::Array(entries) => {
+            for entry in entries {
+                words_of_patterns(entry, words);
+            }
+        }
+        Value::Null | Value::Bool(_) | Value::Number(_) | Value::String(_) => {}
+    }
+}
+
+/// Returns the words of a pattern, without its signs for kinds of letters.
+fn words_of_pattern(pattern: &str) -> Vec<String> {
+    let mut letters = pattern.chars();
+    let mut plain = String::new();
+    while let Some(letter) = letters.next() {
+        match letter {
+            '\\' => plain.extend(letters.next().map(|_| ' ')),
+            letter => plain.push(letter),
+        }
+    }
+    let words = plain.split(|letter: char| !letter.is_alphanumeric() && letter != '_');
+    words.map(str::to_owned).collect()
+}
+
+#[test]
+fn the_grammar_of_textmate_has_all_words() {
+    let grammar = serde_json::from_str(&read(TEXTMATE)).expect("a grammar in JSON");
+    let mut present = Vec::new();
+    words_of_patterns(&grammar, &mut present);
+    for wanted in [
+        items(),
+        units(),
+        clauses(),
+        words::<JointKind>(),
+        words::<Function>(),
+        words::<MotionLawWord>(),
+        words::<QuantityWord>(),
+        words::<Law>(),
+        words::<Ends>(),
+    ] {
+        assert_has(TEXTMATE, &present, &wanted);
     }
 }
