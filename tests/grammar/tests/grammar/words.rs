@@ -23,6 +23,9 @@ fn units() -> Vec<String> {
     listed_by_message("struct M { param a = 5foo; }", "units are ")
 }
 
+/// Words of items and of functions are all that Emacs has colours for.
+const EMACS: &str = "editors/emacs/linkage-mode.el";
+
 /// The words of clauses.
 fn clauses() -> Vec<String> {
     let mistakes = [
@@ -81,6 +84,20 @@ fn the_colours_have_all_words() {
         ] {
             assert_has(path, &present, &wanted);
         }
+    }
+}
+
+#[test]
+fn the_mode_of_emacs_has_its_words() {
+    let mode = read(EMACS);
+    let present: Vec<String> = quoted(&mode).into_iter().map(str::to_owned).collect();
+    for wanted in [
+        items(),
+        words::<Function>(),
+        words::<MotionLawWord>(),
+        words::<QuantityWord>(),
+    ] {
+        assert_has(EMACS, &present, &wanted);
     }
 }
 
