@@ -1,6 +1,7 @@
 // Runs of the command `linkage`.
 
 import { execFile } from "node:child_process";
+import { isAbsolute, join } from "node:path";
 
 /** The end of a run: its status, or `null` if it was stopped, and both outputs. */
 export interface Run {
@@ -23,6 +24,18 @@ export class CommandError extends Error {
     super(faultMessage(fault));
     this.fault = fault;
   }
+}
+
+/**
+ * Returns the command of a setting: a name for PATH as it is, a file below the home folder for `~/`, and another file
+ * with a relative path below the folder of the workspace.
+ */
+export function commandOf(setting: string, home: string, workspace: string | undefined): string {
+  const path = setting.trim();
+  if (path === "") return "linkage";
+  if (/^~[\\/]/.test(path)) return join(home, path.slice(2));
+  const isFile = /[\\/]/.test(path);
+  return isFile && !isAbsolute(path) && workspace !== undefined ? join(workspace, path) : path;
 }
 
 /** Bytes that a run may print. */

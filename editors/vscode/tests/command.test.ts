@@ -4,9 +4,22 @@ import { tmpdir } from "node:os";
 import { join } from "node:path";
 import test from "node:test";
 
-import { CommandError, faultMessage, run, serverFault } from "../src/command.ts";
+import { CommandError, commandOf, faultMessage, run, serverFault } from "../src/command.ts";
 
 const NODE = process.execPath;
+
+test("the setting is a name or a file", () => {
+  for (const [setting, command] of [
+    ["", "linkage"],
+    [" linkage ", "linkage"],
+    ["~/bin/linkage", join("/home/me", "bin/linkage")],
+    ["./target/linkage", join("/project", "target/linkage")],
+    ["/opt/linkage", "/opt/linkage"],
+  ] as const) {
+    assert.equal(commandOf(setting, "/home/me", "/project"), command);
+  }
+  assert.equal(commandOf("a/linkage", "/home/me", undefined), "a/linkage");
+});
 
 test("a run returns status and outputs", async () => {
   const ended = await run(NODE, ["-e", "console.log('out'); console.error('err'); process.exit(3)"], tmpdir());

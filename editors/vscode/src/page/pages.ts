@@ -60,8 +60,8 @@ class Page {
   readonly #follower: Follower<Wanted>;
   readonly #nonce = newNonce();
   #offset: number;
-  /** The last page and the last mistakes, for a panel that is shown again. */
-  #shown: Message[] = [];
+  /** Messages for the script of the panel before it runs: the last page and the last mistakes. */
+  #early: Message[] | undefined = [];
   /** True after the message about a command that cannot be used, until it can. */
   #warned = false;
 
@@ -75,10 +75,12 @@ class Page {
     this.#panel = vscode.window.createWebviewPanel("linkage.page", `Page of ${name}`, beside, {
       enableScripts: true,
       localResourceRoots: [],
+      // The drawing goes on where it was when the panel was hidden.
+      retainContextWhenHidden: true,
     });
     const { webview } = this.#panel;
     const listeners = [
-      webview.onDidReceiveMessage(() => this.#shown.forEach((message) => this.#post(message))),
+      webview.onDidReceiveMessage(() => this.#begin()),
       vscode.workspace.onDidChangeTextDocument(({ document }) => this.#follow(document)),
       vscode.window.onDidChangeTextEditorSelection(({ textEditor, selections }) => {
         if (textEditor.document === this.#document && selections[0]) this.#choose(selections[0].active);
@@ -137,15 +139,20 @@ class Page {
     }
   }
 
-  /** Shows a message, now and when the panel is shown again. */
-  #take(message: Message): void {
-    const pages = this.#shown.filter((shown) => "page" in shown);
-    this.#shown = "page" in message ? [message] : [...pages, message];
-    this.#post(message);
+  /** Sends the messages that wait for the script of the panel. */
+  #begin(): void {
+    const early = this.#early ?? [];
+    this.#early = undefined;
+    early.forEach((message) => this.#take(message));
   }
 
-  #post(message: Message): void {
-    // A panel that is closing takes no message.
-    this.#panel.webview.postMessage(message).then(undefined, () => undefined);
+  #take(message: Message): void {
+    if (this.#early === undefined) {
+      // A panel that is closing takes no message.
+      this.#panel.webview.postMessage(message).then(undefined, () => undefined);
+      return;
+    }
+    const pages = this.#early.filter((early) => "page" in early);
+    this.#early = "page" in message ? [message] : [...pages, message];
   }
 }
