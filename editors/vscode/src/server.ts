@@ -2,7 +2,7 @@
 
 import { tmpdir } from "node:os";
 import * as vscode from "vscode";
-import { LanguageClient, TransportKind } from "vscode-languageclient/node";
+import { LanguageClient } from "vscode-languageclient/node";
 
 import { serverFault } from "./command.ts";
 import { showFault } from "./settings.ts";
@@ -46,7 +46,8 @@ export class Server {
     const client = new LanguageClient(
       "linkage",
       "linkage",
-      { command, args: ["lsp"], transport: TransportKind.stdio },
+      // Standard input and output, as without `transport`: with it the client adds the argument `--stdio`.
+      { command, args: ["lsp"] },
       { documentSelector: [{ language: "linkage" }], outputChannel: this.#output },
     );
     await client.start();
