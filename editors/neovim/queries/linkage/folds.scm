@@ -8,4 +8,3 @@
 ] @fold
 
 ((doc_comment)+) @fold
-((line_comment)+) @fold
