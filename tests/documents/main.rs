@@ -37,6 +37,8 @@ fn pages() -> Vec<PathBuf> {
         "ARCHITECTURE.md",
         "CHANGELOG.md",
         "CONTRIBUTING.md",
+        "editors/README.md",
+        "editors/vscode/README.md",
     ];
     let mut pages: Vec<PathBuf> = alone.iter().map(PathBuf::from).collect();
     let entries = fs::read_dir(".").expect("the repository");

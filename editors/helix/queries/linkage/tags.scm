@@ -1,0 +1,10 @@
+(struct_block name: (type_identifier) @name) @definition.class
+(function name: (identifier) @name) @definition.function
+(function result: (type_identifier) @name) @definition.type
+(param_item name: (identifier) @name) @definition.constant
+(input_item name: (identifier) @name) @definition.constant
+(let_item name: (identifier) @name) @definition.constant
+(link_item name: (identifier) @name) @definition.constant
+(part_item mechanism: (type_identifier) @name) @reference.class
+(impl_block name: (type_identifier) @name) @reference.implementation
+(call function: (identifier) @name) @reference.call

@@ -1,0 +1,2 @@
+-- Text files of linkage.
+vim.filetype.add({ extension = { mech = "linkage" } })
