@@ -13,7 +13,7 @@ vocabulary! {
 }
 
 vocabulary! {
-    /// Items that declare something with `=`, and the unit.
+    /// Items that declare something, and the unit.
     pub enum DeclarationWord {
         Unit = "unit",
         Const = "const",
@@ -26,6 +26,7 @@ vocabulary! {
         Part = "part",
         Gravity = "gravity",
         Body = "body",
+        Arc = "arc",
     }
 }
 
