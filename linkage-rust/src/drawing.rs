@@ -34,15 +34,18 @@ pub(super) fn html(picture: &Picture, title: &str) -> Option<String> {
         number(height),
         number(width),
     );
+    // Plates with slots are below the slots, and these are below the bars with their pins.
+    let (slotted, others): (Vec<usize>, Vec<usize>) =
+        (0..picture.links.len()).partition(|link| arcs_on(picture, *link).next().is_some());
+    let draw = |link: usize| {
+        let corners = hull(outline(picture, &sheet, link));
+        self::link(&picture.links[link].name, &corners)
+    };
+    svg.extend(slotted.into_iter().map(draw));
     for guide in &picture.guides {
         svg.push_str(&rails::guide(&sheet, guide));
     }
-    for (index, link) in picture.links.iter().enumerate() {
-        svg.push_str(&self::link(
-            &link.name,
-            &hull(outline(picture, &sheet, index)),
-        ));
-    }
+    svg.extend(others.into_iter().map(draw));
     for (point, &position) in picture.points.iter().zip(&sheet.points) {
         svg.push_str(&self::point(point.kind, position));
     }
@@ -51,21 +54,24 @@ pub(super) fn html(picture: &Picture, title: &str) -> Option<String> {
     (svg.len() <= LONGEST).then_some(svg)
 }
 
+/// The curved slots of a link.
+fn arcs_on(picture: &Picture, link: usize) -> impl Iterator<Item = &Guide> + Clone {
+    let guides = picture.guides.iter();
+    guides.filter(move |guide| guide.shape == GuideShape::Arc && guide.on == GuideOn::Link(link))
+}
+
 /// Points around which a link is drawn: its points, and in place of the centres of its curved
 /// slots, unless something turns there, the slots.
 fn outline(picture: &Picture, sheet: &Sheet, link: usize) -> Vec<[f64; 2]> {
-    let arcs = picture.guides.iter();
-    let arcs: Vec<&Guide> = arcs
-        .filter(|guide| guide.shape == GuideShape::Arc && guide.on == GuideOn::Link(link))
-        .collect();
+    let arcs = arcs_on(picture, link);
     let is_centre = |point: &usize| {
         let is_drawn = picture.points[*point].kind != PointKind::Construction;
-        !is_drawn && arcs.iter().any(|guide| guide.origin == *point)
+        !is_drawn && arcs.clone().any(|guide| guide.origin == *point)
     };
     let points = picture.links[link].points.iter();
     let points = points.filter(|point| !is_centre(point));
     let points = points.map(|&point| sheet.points[point]);
-    let slots = arcs.iter().map(|guide| ArcSlot::new(sheet, guide));
+    let slots = arcs.clone().map(|guide| ArcSlot::new(sheet, guide));
     points
         .chain(slots.flat_map(|slot| slot.middle_line()))
         .collect()

@@ -96,16 +96,16 @@ function extent() {
       });
     }));
   }
-  if (isStanding()) guidesAround(low, high);
+  guidesAround(low, high);
   const known = low.every(Number.isFinite);
   const middle = low.map((component, i) => (known ? (component + high[i]) / 2 : 0));
   const half = low.map((component, i) => (known ? (high[i] - component) / 2 : 1));
   return { middle, half, radius: reachFrom(middle) || 1 };
 }
 
-// Guides of a frame that moves sweep more than their sliders.
+// Plates with curved slots are larger than their points. Guides of a frame that moves sweep more than their sliders.
 function guidesAround(low, high) {
-  for (const guide of picture.guides.filter(({ on }) => on === "frame")) {
+  for (const guide of picture.guides.filter(({ on, shape }) => shape === "arc" || (isStanding() && on === "frame"))) {
     eachRow((row) => {
       for (const place of guideLine(guide, row)) {
         place.forEach((component, i) => {

@@ -115,7 +115,7 @@ fn arc(sheet: &Sheet, guide: &Guide) -> String {
     let [r, big, cap] = [inner, outer, gauge].map(number);
     format!(
         "<path d=\"M{0}A{big} {big} 0 {large} 1 {1}A{cap} {cap} 0 0 1 {2}A{r} {r} 0 {large} 0 {3}\
-         A{cap} {cap} 0 0 1 {0}Z\" stroke-width=\"1.5\"><title>{4}</title></path>",
+         A{cap} {cap} 0 0 1 {0}Z\" stroke-width=\"1.5\" fill=\"{BACKGROUND}\"><title>{4}</title></path>",
         corner(outer, -1.0),
         corner(outer, 1.0),
         corner(inner, 1.0),
