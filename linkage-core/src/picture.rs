@@ -16,7 +16,7 @@ pub struct Picture {
     pub directions: &'static [&'static str],
     /// The moving links, each with at least two points.
     pub links: &'static [PictureLink],
-    /// Guides of sliding joints.
+    /// Guides of sliding joints, straight ones and arcs.
     pub guides: &'static [Guide],
     /// In space: the axes about which something turns.
     pub axes: &'static [Axis],
@@ -66,16 +66,16 @@ pub struct PictureLink {
     pub points: &'static [usize],
 }
 
-/// A straight guide and the member that slides along it.
+/// A guide and the member that slides along it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Guide {
     /// A name: that of the sliding length, the body or the joint.
     pub name: &'static str,
-    /// A point that the guide's line goes through.
+    /// A point that the guide's line goes through; of an arc the centre.
     pub origin: usize,
-    /// The direction of the line.
+    /// The direction of the line; of an arc a direction that turns with the carrier.
     pub direction: usize,
-    /// The point that slides: always on the line.
+    /// The point that slides: always on the line or the arc.
     pub slider: usize,
     /// The carrier of the guide.
     pub on: GuideOn,
@@ -90,6 +90,8 @@ pub enum GuideShape {
     Slot,
     /// A cylinder between two pins, of which the slider is the end of the piston rod.
     Cylinder,
+    /// A slot that is an arc about the origin, in the plane.
+    Arc,
 }
 
 /// The carrier of a guide.

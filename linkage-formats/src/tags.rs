@@ -115,6 +115,14 @@ impl Tags {
         self.number(40, radius);
     }
 
+    /// Adds an arc, counter-clockwise from the first angle to the second, in degrees.
+    pub fn arc(&mut self, layer: Layer, centre: [f64; 3], radius: f64, ends: [f64; 2]) {
+        self.entity("ARC", layer).coordinates(0, centre);
+        self.number(40, radius);
+        let [from, to] = ends.map(degrees);
+        self.number(50, from).number(51, to);
+    }
+
     pub fn polyline(
         &mut self,
         layer: Layer,
@@ -169,6 +177,11 @@ impl Tags {
         let _ = write!(self.text, "{code:>3}\r\n{value}\r\n");
         self
     }
+}
+
+/// The same angle from 0 to 360 degrees, to a billionth: elementary functions differ in last digits.
+fn degrees(angle: f64) -> f64 {
+    (angle.rem_euclid(360.0) * 1e9).round() / 1e9
 }
 
 /// Words in ASCII: letters beyond it by their numbers, as DXF has them.

@@ -1,5 +1,6 @@
 //! The mechanism to scale.
 
+mod arc_slots;
 mod arrows;
 mod caption;
 mod cover;

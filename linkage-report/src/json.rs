@@ -194,6 +194,7 @@ fn picture_value(
             "shape": match guide.shape {
                 GuideShape::Slot => "slot",
                 GuideShape::Cylinder => "cylinder",
+                GuideShape::Arc => "arc",
             },
         })),
         "axes": list(picture.axes, |axis| {

@@ -12,6 +12,7 @@
 #![cfg_attr(docsrs, feature(doc_cfg))]
 
 mod accuracy;
+mod arc_slot;
 mod builder;
 mod check;
 mod compare;

@@ -21,7 +21,7 @@ const STYLES: [&str; 7] = [
     include_str!("page/print.css"),
 ];
 /// Joined in this order; the last one starts the page.
-const SCRIPTS: [&str; 47] = [
+const SCRIPTS: [&str; 48] = [
     include_str!("page/dom.js"),
     include_str!("page/fresh.js"),
     include_str!("page/numbers.js"),
@@ -35,6 +35,7 @@ const SCRIPTS: [&str; 47] = [
     include_str!("page/symbols.js"),
     include_str!("page/parts.js"),
     include_str!("page/cylinders.js"),
+    include_str!("page/arcs.js"),
     include_str!("page/signs.js"),
     include_str!("page/room.js"),
     include_str!("page/names.js"),

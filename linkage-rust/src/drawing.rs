@@ -4,29 +4,18 @@
 //! names, links show theirs under the pointer. Wheels are not drawn, because their radii follow
 //! from the motion.
 
+mod paper;
+mod rails;
+
 use std::fmt::Write;
+
+use paper::{BACKGROUND, Sheet, escaped, number, polyline};
+use rails::ArcSlot;
 
 use linkage_compiler::ir::{Guide, GuideOn, GuideShape, Picture, PointKind};
 
-/// The largest size in pixels, with the margin for pivots and names.
-const SIZE: [f64; 2] = [400.0, 260.0];
-const MARGIN: f64 = 34.0;
-
 /// The longest drawing in bytes: a machine of a hundred links has none.
 const LONGEST: usize = 8_000;
-
-/// The background of the page for rustdoc, which shows through pins.
-const BACKGROUND: &str = "var(--main-background-color,#fff)";
-
-/// Half the length of a rail and half its gauge, in pixels.
-const RAIL: [f64; 2] = [32.0, 6.0];
-/// Half the length and half the width of a block.
-const BLOCK: [f64; 2] = [10.0, 5.0];
-/// The share of a cylinder's barrel between its pins.
-const BARREL: f64 = 0.6;
-
-/// A unit vector that is shorter on the paper points at the reader.
-const SHORTEST: f64 = 0.1;
 
 /// The width of a letter and the height of a line of names.
 const LETTER: [f64; 2] = [6.5, 12.0];
@@ -45,13 +34,18 @@ pub(super) fn html(picture: &Picture, title: &str) -> Option<String> {
         number(height),
         number(width),
     );
+    // Plates with slots are below the slots, and these are below the bars with their pins.
+    let (slotted, others): (Vec<usize>, Vec<usize>) =
+        (0..picture.links.len()).partition(|link| arcs_on(picture, *link).next().is_some());
+    let draw = |link: usize| {
+        let corners = hull(outline(picture, &sheet, link));
+        self::link(&picture.links[link].name, &corners)
+    };
+    svg.extend(slotted.into_iter().map(draw));
     for guide in &picture.guides {
-        svg.push_str(&self::guide(&sheet, guide));
+        svg.push_str(&rails::guide(&sheet, guide));
     }
-    for link in &picture.links {
-        let places = link.points.iter().map(|&point| sheet.points[point]);
-        svg.push_str(&self::link(&link.name, &hull(places.collect())));
-    }
+    svg.extend(others.into_iter().map(draw));
     for (point, &position) in picture.points.iter().zip(&sheet.points) {
         svg.push_str(&self::point(point.kind, position));
     }
@@ -60,61 +54,27 @@ pub(super) fn html(picture: &Picture, title: &str) -> Option<String> {
     (svg.len() <= LONGEST).then_some(svg)
 }
 
-/// Places and directions on the paper, in pixels from its upper left corner.
-struct Sheet {
-    points: Vec<[f64; 2]>,
-    directions: Vec<[f64; 2]>,
-    size: [f64; 2],
+/// The curved slots of a link.
+fn arcs_on(picture: &Picture, link: usize) -> impl Iterator<Item = &Guide> + Clone {
+    let guides = picture.guides.iter();
+    guides.filter(move |guide| guide.shape == GuideShape::Arc && guide.on == GuideOn::Link(link))
 }
 
-impl Sheet {
-    /// `None` if a point is nowhere, or if all are in one place.
-    fn new(picture: &Picture) -> Option<Self> {
-        let flat: Vec<[f64; 2]> = picture
-            .reference
-            .iter()
-            .map(|position| projected(position))
-            .collect();
-        if flat.is_empty() || !flat.iter().flatten().all(|x| x.is_finite()) {
-            return None;
-        }
-        let (points, directions) = flat.split_at(picture.points.len());
-        let drawn = picture.points.iter().zip(points);
-        let drawn = drawn.filter(|(point, _)| point.kind != PointKind::Construction);
-        let (mut low, mut high) = ([f64::INFINITY; 2], [f64::NEG_INFINITY; 2]);
-        for (_, position) in drawn {
-            for axis in 0..2 {
-                low[axis] = low[axis].min(position[axis]);
-                high[axis] = high[axis].max(position[axis]);
-            }
-        }
-        let scales = [0, 1].map(|axis| (SIZE[axis] - 2.0 * MARGIN) / (high[axis] - low[axis]));
-        let scale = scales[0].min(scales[1]);
-        if !(scale > 0.0 && scale.is_finite()) {
-            return None;
-        }
-        let on_paper =
-            |position: &[f64; 2]| [0, 1].map(|axis| MARGIN + scale * (position[axis] - low[axis]));
-        Some(Self {
-            points: points.iter().map(on_paper).collect(),
-            directions: directions.to_vec(),
-            size: [0, 1].map(|axis| 2.0 * MARGIN + scale * (high[axis] - low[axis])),
-        })
-    }
-}
-
-/// A vector on the paper, whose second axis points down. Space is seen from above, between two of
-/// its axes, as in reports.
-fn projected(vector: &[f64]) -> [f64; 2] {
-    match *vector {
-        [x, y, z] => {
-            let (sa, ca) = (-60f64).to_radians().sin_cos();
-            let (se, ce) = 25f64.to_radians().sin_cos();
-            [-sa * x + ca * y, se * (ca * x + sa * y) - ce * z]
-        }
-        [x, y] => [x, -y],
-        _ => [f64::NAN; 2],
-    }
+/// Points around which a link is drawn: its points, and in place of the centres of its curved
+/// slots, unless something turns there, the slots.
+fn outline(picture: &Picture, sheet: &Sheet, link: usize) -> Vec<[f64; 2]> {
+    let arcs = arcs_on(picture, link);
+    let is_centre = |point: &usize| {
+        let is_drawn = picture.points[*point].kind != PointKind::Construction;
+        !is_drawn && arcs.clone().any(|guide| guide.origin == *point)
+    };
+    let points = picture.links[link].points.iter();
+    let points = points.filter(|point| !is_centre(point));
+    let points = points.map(|&point| sheet.points[point]);
+    let slots = arcs.clone().map(|guide| ArcSlot::new(sheet, guide));
+    points
+        .chain(slots.flat_map(|slot| slot.middle_line()))
+        .collect()
 }
 
 /// The corners of the smallest convex outline, in order: both ends of points on a line.
@@ -153,56 +113,6 @@ fn link(name: &str, corners: &[[f64; 2]]) -> String {
         "<path d=\"{}{plate}><title>{name}</title></path>",
         polyline(corners)
     )
-}
-
-/// Rails with a block on them, a slotted lever, or a cylinder.
-fn guide(sheet: &Sheet, guide: &Guide) -> String {
-    let [origin, position] = [guide.origin, guide.slider].map(|point| sheet.points[point]);
-    let [x, y] = sheet.directions[guide.direction];
-    let length = x.hypot(y);
-    // Seen along its line.
-    if length < SHORTEST || length.is_nan() {
-        return String::new();
-    }
-    let along = [x / length, y / length];
-    let corner = |way: f64, side: f64| {
-        [
-            position[0] + way * along[0] - side * along[1],
-            position[1] + way * along[1] + side * along[0],
-        ]
-    };
-    let name = escaped(&guide.name);
-    let mut svg = format!("<g stroke-width=\"1.5\"><title>{name}</title>");
-    let mut draw = |points: &[[f64; 2]], more: &str| {
-        // Writing into a string does not fail.
-        let _ = write!(svg, "<path d=\"{}{more}/>", polyline(points));
-    };
-    let [half, gauge] = RAIL;
-    let [long, wide] = BLOCK;
-    if guide.shape == GuideShape::Cylinder {
-        let end = [0, 1].map(|axis| origin[axis] + BARREL * (position[axis] - origin[axis]));
-        draw(
-            &[origin, end],
-            "\" stroke-width=\"11\" stroke-opacity=\".4\" stroke-linecap=\"butt\"",
-        );
-        draw(&[origin, position], "\" stroke-width=\"3\"");
-    } else {
-        if guide.on == GuideOn::Itself {
-            draw(
-                &[origin, corner(half, 0.0), corner(-half, 0.0)],
-                "\" stroke-width=\"3\"",
-            );
-        } else {
-            for side in [gauge, -gauge] {
-                draw(&[corner(-half, side), corner(half, side)], "\"");
-            }
-        }
-        let corners = [(-long, -wide), (long, -wide), (long, wide), (-long, wide)];
-        let block = corners.map(|(way, side)| corner(way, side));
-        draw(&block, &format!("Z\" fill=\"{BACKGROUND}\""));
-    }
-    svg.push_str("</g>");
-    svg
 }
 
 /// A pin, on a pivot if it belongs to the frame; a dot for a point of one link.
@@ -253,21 +163,4 @@ fn names(picture: &Picture, sheet: &Sheet) -> String {
     }
     svg.push_str("</g>");
     svg
-}
-
-fn polyline(points: &[[f64; 2]]) -> String {
-    let corners = points.iter().map(|position| position.map(number).join(" "));
-    format!("M{}", corners.collect::<Vec<_>>().join("L"))
-}
-
-/// A tenth of a pixel.
-fn number(x: f64) -> String {
-    let text = format!("{x:.1}");
-    text.strip_suffix(".0").unwrap_or(&text).to_owned()
-}
-
-fn escaped(text: &str) -> String {
-    text.replace('&', "&amp;")
-        .replace('<', "&lt;")
-        .replace('"', "&quot;")
 }

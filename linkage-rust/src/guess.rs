@@ -70,6 +70,7 @@ impl<'a> Guess<'a> {
                 | Item::Loop(_)
                 | Item::Gravity(_)
                 | Item::Body(_)
+                | Item::Arc(_)
                 | Item::Joint(_)
                 | Item::Force(_)
                 | Item::Torque(_)

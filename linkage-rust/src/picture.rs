@@ -60,6 +60,7 @@ fn literal(outline: &Outline, picture: &Picture) -> TokenStream {
         let shape = match guide.shape {
             GuideShape::Slot => quote!(Slot),
             GuideShape::Cylinder => quote!(Cylinder),
+            GuideShape::Arc => quote!(Arc),
         };
         quote! {
             #runtime::Guide {

@@ -55,6 +55,8 @@ fn the_page_saves_the_file_that_is_beside_it() {
     for (file, name) in [
         ("favorit.rs".to_owned(), "favorit"),
         ("mcpherson.rs".to_owned(), "mcpherson"),
+        (format!("{drawings}/curved_slot.mech"), "curved_slot"),
+        (format!("{drawings}/link_motion.mech"), "link_motion"),
         (
             format!("{drawings}/geared_five_bar.mech"),
             "geared_five_bar",

@@ -15,7 +15,7 @@ pub struct Picture {
     pub reference: Vec<Vec<f64>>,
     /// Points that keep their distances.
     pub links: Vec<Link>,
-    /// Lines along which points slide.
+    /// Lines and arcs along which points slide.
     pub guides: Vec<Guide>,
     /// In space: points and directions of axes.
     pub axes: Vec<(usize, usize)>,
@@ -90,14 +90,14 @@ pub struct Link {
     pub points: Vec<usize>,
 }
 
-/// A line along which a point slides.
+/// A line or an arc along which a point slides.
 #[derive(Clone, Debug)]
 pub struct Guide {
     /// The name of the slide.
     pub name: String,
-    /// A point of the line, by index.
+    /// A point of the line or the centre of the arc, by index.
     pub origin: usize,
-    /// Its direction, by index.
+    /// Its direction, or one that turns with the carrier of the arc, by index.
     pub direction: usize,
     /// The point that slides, by index.
     pub slider: usize,

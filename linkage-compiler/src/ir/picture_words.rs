@@ -24,6 +24,7 @@ impl Display for Picture {
             let word = match guide.shape {
                 GuideShape::Slot => "guide",
                 GuideShape::Cylinder => "cylinder",
+                GuideShape::Arc => "arc",
             };
             writeln!(f, "{word} {}: {slider} from {origin}, on {on}", guide.name)?;
         }
@@ -78,6 +79,7 @@ impl Picture {
             Member::Rail(guide) => match self.guides[guide].shape {
                 GuideShape::Slot => format!("guide {}", self.guides[guide].name),
                 GuideShape::Cylinder => format!("cylinder {}", self.guides[guide].name),
+                GuideShape::Arc => format!("arc {}", self.guides[guide].name),
             },
             Member::Block(guide) => format!("block on {}", self.guides[guide].name),
             Member::Rod(guide) => format!("rod of {}", self.guides[guide].name),

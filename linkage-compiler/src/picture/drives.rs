@@ -7,7 +7,7 @@ use linkage_symbolic::program::Source;
 use linkage_symbolic::{Graph, SymbolId, Vn};
 
 use crate::algebra::{Algebra, Bound, Names};
-use crate::ir::{Drive, DriveOn, Gear, Picture, PicturePart};
+use crate::ir::{Drive, DriveOn, Gear, GuideShape, Picture, PicturePart};
 use crate::model::{Loop, Name};
 use crate::picture::by_point::ByPoint;
 use crate::picture::marks::{Segment, Shape};
@@ -53,7 +53,8 @@ pub(super) fn drives(
     let inputs = algebra.mechanism.inputs.iter().enumerate();
     let drives = inputs.filter_map(|(input, declared)| {
         let mut guides = picture.guides.iter();
-        let slides = guides.position(|guide| guide.name == declared.name);
+        let slides =
+            guides.position(|guide| guide.shape != GuideShape::Arc && guide.name == declared.name);
         let on = match slides {
             Some(guide) => DriveOn::Slide(guide),
             None => DriveOn::Turn(turned_by(input)?),

@@ -81,6 +81,10 @@ impl JointFinder<'_, '_> {
         let mut ways: Vec<usize> = Vec::new();
         for &guide in here.sliders.at_point(point) {
             let member = self.sliding(picture, guide, here);
+            if picture.guides[guide].shape == GuideShape::Arc {
+                between.push(member);
+                continue;
+            }
             let way = picture.guides[guide].direction;
             // Two blocks that keep their angle are one.
             let is_known = ways.iter().any(|other| self.keep_angle(*other, way));
@@ -106,8 +110,11 @@ impl JointFinder<'_, '_> {
     fn sliding(&self, picture: &Picture, guide: usize, here: &Here) -> Member {
         let rail = &picture.guides[guide];
         let way = &self.ways[rail.direction];
-        if rail.shape == GuideShape::Cylinder {
-            return Member::Rod(guide);
+        match rail.shape {
+            GuideShape::Cylinder => return Member::Rod(guide),
+            // The direction of an arc is not that of the slot at the pin.
+            GuideShape::Arc => return Member::Block(guide),
+            GuideShape::Slot => {}
         }
         let is_carried = |end: usize, way: &Track| {
             self.samples

@@ -6,7 +6,7 @@ use linkage_symbolic::lookup::{Map, Set};
 
 use crate::model::Mechanism;
 use crate::picture::joining::Joining;
-use crate::picture::marks::{Mean, Segment, Shape, Spot};
+use crate::picture::marks::{Arc, Mean, Segment, Shape, Spot};
 use crate::picture::ownership::Ownership;
 use crate::picture::raw_link::{self, Frame, RawLink};
 use crate::picture::rigid_bodies::Welds;
@@ -149,6 +149,20 @@ impl<'m> Links<'m> {
                 taken.insert(point);
             }
         }
+    }
+
+    /// Leaves out the bars that loops have from the centres of arcs to the points in them, except
+    /// those that the user listed.
+    pub(super) fn drop_bars_of_arcs(&mut self, arcs: &[Arc], samples: &Samples) {
+        let ends = arcs.iter();
+        let ends: Vec<[usize; 2]> = ends
+            .map(|arc| [arc.centre, arc.slider].map(|point| samples.same[point]))
+            .collect();
+        let is_slot = |link: &RawLink| match link.points[..] {
+            [a, b] => ends.contains(&[a, b]) || ends.contains(&[b, a]),
+            _ => false,
+        };
+        self.all.retain(|link| link.asked || !is_slot(link));
     }
 
     /// Leaves out corners on the way along a link.

@@ -11,7 +11,8 @@ use crate::picture::point_or_vector::Roles;
 use crate::picture::sketch::Sketch;
 use crate::picture::statement::{ASIDE, Statement};
 use crate::picture::{
-    bodies, chains, expressions, frames, layout, parts, planes, sketch, terms, titles, weights,
+    arcs, bodies, chains, expressions, frames, layout, parts, planes, sketch, terms, titles,
+    weights,
 };
 
 /// UniqueNames in derived quantities stand behind those in loops, and where no loop uses the
@@ -40,6 +41,7 @@ pub(super) fn collect<'m>(
         }
     }
     bodies::look_at_bodies(algebra, layout, sketch);
+    arcs::look_at_arcs(algebra, layout, sketch);
     undrawn
 }
 

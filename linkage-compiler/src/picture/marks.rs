@@ -79,6 +79,17 @@ pub(super) struct Line<'m> {
     pub(super) name: String,
 }
 
+/// A curved slot.
+#[derive(Clone, Debug)]
+pub(super) struct Arc<'m> {
+    pub(super) name: String,
+    /// The point in the slot.
+    pub(super) slider: usize,
+    pub(super) centre: usize,
+    /// A unit vector that turns with the carrier.
+    pub(super) direction: Vn<'m>,
+}
+
 /// A list in `picture([p, q])`.
 #[derive(Clone, Debug)]
 pub(super) struct Asked {

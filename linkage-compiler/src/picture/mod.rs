@@ -17,19 +17,21 @@
 //! | `frames` | the coordinates in which names and loops are written |
 //! | `parts`, `directions`, `literals`, `terms` | sums of vectors, taken apart into terms |
 //! | `chains` | sums of vectors as chains of points |
-//! | `planes`, `bodies`, `loops` | points and segments of loops, bodies and joints |
+//! | `planes`, `arcs`, `bodies`, `loops` | points and segments of loops, arcs, bodies and joints |
 //! | `track`, `cells`, `views` | points at several positions and with other dimensions |
 //! | `open_loop`, `samples` | the motion without loops, and the points at all positions |
 //! | `check` | links that the user added must be rigid |
 //! | `raw_link`, `rigid_bodies`, `joining` | links while they are joined |
 //! | `ownership`, `links` | parts of a machine, and points that keep their distances |
-//! | `guides` | lines along which points slide, and the links that carry them |
+//! | `candidates`, `guides` | lines and arcs along which points slide, and the links that carry them |
 //! | `by_point`, `meeting`, `unique_names` | lists by points, and names that are given once |
 //! | `drives`, `joints` | links that inputs move, and joints in points |
 //! | `found_picture`, `names` | the picture with names for everything |
 
+mod arcs;
 mod bodies;
 mod by_point;
+mod candidates;
 mod cells;
 mod chains;
 mod check;
@@ -109,6 +111,7 @@ pub(crate) fn find<'m>(
     check::check_lists(algebra.mechanism, &sketch, &samples, reporter);
     let ownership = Ownership::new(algebra.mechanism, &sketch.points, &samples);
     let mut links = Links::find(algebra.mechanism, dimension, &sketch, &samples, &ownership);
+    links.drop_bars_of_arcs(&sketch.arcs, &samples);
     let guides = Guides::find(algebra, &layout, &mut sketch, &mut samples, &links);
     let axes = sketch.axes.iter().map(|(at, _)| samples.same[*at]);
     let needed = axes.chain(guides.ends());

@@ -82,11 +82,7 @@ pub(super) fn named<'m>(
             direction: picture.directions.len() - 1,
             slider,
             on: guide.on,
-            shape: if guide.is_cylinder {
-                GuideShape::Cylinder
-            } else {
-                GuideShape::Slot
-            },
+            shape: guide.shape,
         });
     }
     for (point, along) in &sketch.axes {
@@ -143,8 +139,9 @@ impl Namer<'_, '_> {
         let slides = !self.meeting.sliders.at_point(point).is_empty();
         let guides = self.meeting.origins.at_point(point);
         let has_guide = !guides.is_empty();
-        let mut guides = guides.iter().map(|&guide| &self.guides.all[guide]);
-        let pivots = guides.any(|guide| guide.on == GuideOn::Itself);
+        let guides = guides.iter().map(|&guide| &self.guides.all[guide]);
+        let pivots = guides.clone().any(|guide| guide.on == GuideOn::Itself);
+        let is_centre = guides.clone().any(|guide| guide.shape == GuideShape::Arc);
         let has_axis = self.meeting.axes.contains(&point);
         let mut aliases = self.samples.aliases(point);
         let wanted = aliases.any(|other| self.points[other].wanted);
@@ -159,8 +156,10 @@ impl Namer<'_, '_> {
                 Some(PointKind::Joint)
             }
             (false, _) if slides => Some(PointKind::Joint),
-            // The foot of a guide on its link.
-            (false, 1) if has_guide && !self.has_name(point) => Some(PointKind::Construction),
+            // The foot of a guide on its link, and the centre of an arc in which nothing turns.
+            (false, 1) if has_guide && (is_centre || !self.has_name(point)) => {
+                Some(PointKind::Construction)
+            }
             (false, 1) => Some(PointKind::Tip),
             (false, _) if has_guide || has_axis => Some(PointKind::Construction),
             (false, _) => (wanted && self.has_name(point)).then_some(PointKind::Loose),

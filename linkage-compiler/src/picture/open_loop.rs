@@ -117,6 +117,20 @@ impl<'a> OpenLoop<'a> {
             .all(|speed| speed.abs() <= NOTHING * size)
     }
 
+    /// Returns true if a unit vector does not turn, as far as the relations between angles hold.
+    pub(super) fn stays(&self, course: &Track) -> bool {
+        let speeds = &course[self.places.len()..];
+        let components = 0..speeds.first().map_or(0, Vec::len);
+        components.into_iter().all(|component| {
+            let values = speeds.iter().map(|speed| speed[component]);
+            let rate = Rate {
+                values: values.collect(),
+                sizes: vec![1.0; speeds.len()],
+            };
+            self.follows(&rate, &[])
+        })
+    }
+
     /// The rate of half the square of the distance of two points, in each motion.
     pub(super) fn stretching(&self, ends: [&Track; 2]) -> Rate {
         let norm = |v: &[f64]| v.iter().map(|x| x * x).sum::<f64>().sqrt();

@@ -5,7 +5,7 @@ use linkage_symbolic::Vn;
 use crate::algebra::Algebra;
 use crate::model::JointKind;
 use crate::picture::layout::Layout;
-use crate::picture::marks::{Asked, Line, Mean, Plane, Segment, Shape, Spot, Title, Turn};
+use crate::picture::marks::{Arc, Asked, Line, Mean, Plane, Segment, Shape, Spot, Title, Turn};
 
 /// Points and the segments between them, as they are found; several may be one and the same.
 #[derive(Default)]
@@ -15,6 +15,8 @@ pub(super) struct Sketch<'m> {
     pub(super) means: Vec<Mean>,
     /// Guides that are no terms of a chain.
     pub(super) lines: Vec<Line<'m>>,
+    /// Curved slots.
+    pub(super) arcs: Vec<Arc<'m>>,
     /// In space: planes on which points stay, two of which are a guide.
     pub(super) planes: Vec<Plane<'m>>,
     /// In space: points and directions of axes.

@@ -28,7 +28,7 @@ fn expect(items: &str, call: &str, expected: &str) {
     let picture = picture.to_string();
     // Joints, gears and drives are those of `tests/drawings`.
     let lines = |text: &str| -> Vec<String> {
-        let words = ["point", "link", "guide", "cylinder", "axis"];
+        let words = ["point", "link", "guide", "arc", "cylinder", "axis"];
         let told = |line: &&str| {
             words
                 .iter()

@@ -74,6 +74,7 @@ pub enum Item {
     Torque(LoadItem),
     Spring(ElementItem),
     Damper(ElementItem),
+    Arc(ArcItem),
     /// A joint, a link or the like. `model::links` replaces all of them by other items.
     Linked(LinkedItem),
 }
@@ -154,6 +155,17 @@ pub struct GivenPart {
     pub value: Expr,
 }
 
+/// `arc NAME: point around point [turned by angle];`
+#[derive(Debug)]
+pub struct ArcItem {
+    pub name: Ident,
+    /// The point in the slot.
+    pub slider: Expr,
+    pub centre: Expr,
+    /// The angle of the link that has the slot; without it, the frame has it.
+    pub turned: Option<Expr>,
+}
+
 /// `gravity = expr;`
 #[derive(Debug)]
 pub struct GravityItem {
@@ -212,6 +224,7 @@ impl Item {
             Item::Part(_) => ItemWord::Declaration(Declared::Part),
             Item::Gravity(_) => ItemWord::Declaration(Declared::Gravity),
             Item::Body(_) => ItemWord::Declaration(Declared::Body),
+            Item::Arc(_) => ItemWord::Declaration(Declared::Arc),
             Item::Joint(item) => ItemWord::Joint(item.joint.kind),
             Item::Force(_) => ItemWord::Load(LoadWord::Force),
             Item::Torque(_) => ItemWord::Load(LoadWord::Torque),

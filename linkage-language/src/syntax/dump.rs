@@ -2,7 +2,7 @@
 
 use std::fmt::{self, Display, Formatter};
 
-use super::ast::{GivenPart, InputItem, Item, MechanismDef, PartItem};
+use super::ast::{ArcItem, GivenPart, InputItem, Item, MechanismDef, PartItem};
 use super::expression_tree::{BinaryOp, Expr, ExprKind, Toleranced};
 use super::keyword::JointKind;
 use super::linked_tree::{DrawnJoint, LinkItem, LinkedItem, SlidePath, SliderItem, WheelsItem};
@@ -64,6 +64,7 @@ impl Display for Line<'_> {
             Item::Part(item) => show!(f, item),
             Item::Gravity(item) => show!(f, "= ", item.value),
             Item::Body(item) => show!(f, item),
+            Item::Arc(item) => show!(f, item),
             Item::Joint(item) => show!(f, item),
             Item::Force(item) | Item::Torque(item) => show!(f, item),
             Item::Spring(item) | Item::Damper(item) => show!(f, item),
@@ -95,6 +96,13 @@ impl Display for PartItem {
         list(f, " { ", &self.given, " }")?;
         optional(f, " on ", self.on.as_ref())?;
         optional(f, " at ", self.at.as_ref())?;
+        optional(f, ", turned by ", self.turned.as_ref())
+    }
+}
+
+impl Display for ArcItem {
+    fn fmt(&self, f: &mut Formatter) -> fmt::Result {
+        show!(f, self.name, ": ", self.slider, " around ", self.centre)?;
         optional(f, ", turned by ", self.turned.as_ref())
     }
 }

@@ -85,6 +85,7 @@ impl Parser<'_> {
         let item = match word {
             DeclarationWord::Unit => Item::Unit(self.unit_item(start)?),
             DeclarationWord::Loop => Item::Loop(self.loop_item(start)?),
+            DeclarationWord::Arc => Item::Arc(self.arc_item()?),
             DeclarationWord::Gravity => Item::Gravity(self.gravity_item(start)?),
             DeclarationWord::Param => return self.param_item(attributes),
             DeclarationWord::Input => return self.input_item(),

@@ -13,7 +13,7 @@ vocabulary! {
 }
 
 vocabulary! {
-    /// Items that declare something with `=`, and the unit.
+    /// Items that declare something, and the unit.
     pub enum DeclarationWord {
         /// The length unit of fields and results.
         Unit = "unit",
@@ -37,6 +37,7 @@ vocabulary! {
         Gravity = "gravity",
         /// A link with mass, which a joint attaches to another one.
         Body = "body",
+        Arc = "arc",
     }
 }
 

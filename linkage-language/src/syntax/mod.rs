@@ -1,5 +1,6 @@
 //! Tokens to syntax tree. Never fails: a bad item becomes a diagnostic and is left out.
 
+mod arc;
 mod ast;
 mod attributes;
 mod clauses;

@@ -52,7 +52,10 @@ impl Parser<'_> {
             ItemWord::Load(_) => !is_clause,
             // Their words can be names of values: `link` in `loop a = link redundant`.
             ItemWord::Linked(LinkedWord::Joint) => equals_follows,
-            ItemWord::Linked(LinkedWord::Link | LinkedWord::Slider) => self.stream.is_punct(2, ':'),
+            ItemWord::Declaration(DeclarationWord::Arc)
+            | ItemWord::Linked(LinkedWord::Link | LinkedWord::Slider) => {
+                self.stream.is_punct(2, ':')
+            }
             ItemWord::Linked(LinkedWord::Gears | LinkedWord::Belt | LinkedWord::Weld) => {
                 self.stream.is_punct(2, ',')
             }
@@ -78,7 +81,7 @@ impl Parser<'_> {
                 begins_value && self.clause_before_semicolon()
             }
             ItemWord::Declaration(word) if names_without_equals(word) => false,
-            ItemWord::Linked(_) => false,
+            ItemWord::Declaration(DeclarationWord::Arc) | ItemWord::Linked(_) => false,
             ItemWord::Declaration(_) | ItemWord::Joint(_) => self.stream.is_punct(1, '='),
         }
     }
@@ -122,6 +125,7 @@ fn names_without_equals(word: DeclarationWord) -> bool {
         DeclarationWord::Const
         | DeclarationWord::Let
         | DeclarationWord::Loop
-        | DeclarationWord::Gravity => false,
+        | DeclarationWord::Gravity
+        | DeclarationWord::Arc => false,
     }
 }

@@ -4,6 +4,7 @@ use serde_json::{Value, json};
 use std::collections::BTreeMap;
 use std::vec::Vec;
 
+use crate::arc_slot::ArcSlot;
 use crate::builder::Report;
 use crate::drawing::View;
 use crate::positioned_picture;
@@ -89,10 +90,9 @@ impl<'a> Drawn<'a> {
                 .map(|point| number[point])
                 .collect::<Vec<_>>()
         });
-        let rails = self
-            .rails(rows)
-            .into_iter()
-            .map(|ends| ends.map(|point| point.map(rounded)));
+        let rails = self.rails(rows).into_iter().map(|line| -> Vec<[f64; 2]> {
+            line.into_iter().map(|point| point.map(rounded)).collect()
+        });
         let traces = traced_points(self.report, &self.shown);
         json!({
             "points": all.collect::<Vec<_>>(),
@@ -118,11 +118,14 @@ impl<'a> Drawn<'a> {
     }
 
     /// Guides of the frame, as far as their sliders go.
-    fn rails(&self, rows: &[usize]) -> Vec<[[f64; 2]; 2]> {
+    fn rails(&self, rows: &[usize]) -> Vec<Vec<[f64; 2]>> {
         let guides = self.shown.picture.guides.iter();
         let fixed = guides.filter(|guide| guide.on == GuideOn::Frame);
         let ends = fixed.filter_map(|guide| {
             let row = *rows.iter().find(|&&row| self.shown.is_assembled(row))?;
+            if let Some(slot) = ArcSlot::new(&self.shown, guide, row) {
+                return Some(slot.middle_line());
+            }
             let (from, way) = (
                 self.shown.point_at(guide.origin, row),
                 self.shown.way(guide.direction, row),
@@ -131,7 +134,7 @@ impl<'a> Drawn<'a> {
                 self.view
                     .project(core::array::from_fn(|k| from[k] + t * way[k]))
             };
-            Some(self.shown.rail(guide).map(at))
+            Some(Vec::from(self.shown.rail(guide).map(at)))
         });
         ends.collect()
     }

@@ -9,7 +9,7 @@ use super::options::Drawing;
 use super::room::Taken;
 use super::sheet::Sheet;
 use super::sizes::{BEYOND, BLOCK, FOOT, JOINT, OUTLINE};
-use super::{arrows, marks, parts, signs};
+use super::{arc_slots, arrows, marks, parts, signs};
 use linkage_core::{Guide, GuideOn, GuideShape, PointKind};
 
 /// Distance from the middle of a frame's guide to that of its hatching, and half the width of the
@@ -29,6 +29,7 @@ pub(super) fn covered(drawing: &Drawing<'_>, sheet: &Sheet<'_>, row: usize) -> V
         .collect();
     for guide in picture.guides {
         all.extend(match (guide.on, guide.shape) {
+            (_, GuideShape::Arc) => arc_slots::covers(drawing, sheet, guide, row),
             (GuideOn::Frame, _) => rail_cover(drawing, sheet, guide, row),
             (_, GuideShape::Cylinder) => signs::cylinder_cover(drawing, sheet, guide, row),
             (_, GuideShape::Slot) => Vec::new(),

@@ -8,6 +8,7 @@ use super::geometry::{along, hull};
 use super::options::Drawing;
 use super::pitch_circles::PitchCircles;
 use super::rows;
+use crate::arc_slot::{self, ArcSlot};
 use linkage_core::format::rounded;
 use linkage_core::{GuideShape, PicturePart, PointKind};
 use linkage_formats::ReportError;
@@ -20,6 +21,8 @@ const AXIS: f64 = 0.1;
 const LETTER: f64 = 0.014;
 /// Half the length and half the height of a slider, in radii of joints.
 const BLOCK: [f64; 2] = [4.0, 2.2];
+/// Half the width of a curved slot, in radii of joints.
+const GAP: f64 = 1.4;
 
 /// Returns the drawing as DXF.
 pub(super) fn drawing_dxf(drawing: &Drawing<'_>) -> Result<String, ReportError> {
@@ -32,7 +35,7 @@ pub(super) fn drawing_dxf(drawing: &Drawing<'_>) -> Result<String, ReportError> 
     layers.extend(parts.map(|(index, part)| Layer::Part(part.name, index)));
     let mut tags = Tags::new(&layers, [low, high], size * JOINT);
     solid_links(drawing, &mut tags, row);
-    straight_guides(drawing, &mut tags, row, size * JOINT);
+    guides(drawing, &mut tags, row, size * JOINT);
     for (centre, radius) in circles(drawing, row) {
         tags.circle(Layer::Gears, centre, radius);
     }
@@ -80,13 +83,9 @@ fn layer(drawing: &Drawing<'_>, kind: Layer, has: impl Fn(&PicturePart) -> bool)
 
 fn solid_links(drawing: &Drawing<'_>, tags: &mut Tags, row: usize) {
     let spatial = drawing.shown.picture.dimension == 3;
-    for (index, link) in drawing.shown.picture.links.iter().enumerate() {
+    for index in 0..drawing.shown.picture.links.len() {
         let layer = layer(drawing, Layer::Links, |part| part.links.contains(&index));
-        let places = link
-            .points
-            .iter()
-            .map(|point| drawing.shown.point_at(*point, row));
-        let places: Vec<_> = places.collect();
+        let places = arc_slot::places_of_link(&drawing.shown, index, row);
         match places.as_slice() {
             [a, b] => tags.line(layer, *a, *b),
             _ if spatial => {
@@ -105,16 +104,25 @@ fn solid_links(drawing: &Drawing<'_>, tags: &mut Tags, row: usize) {
     }
 }
 
-/// The way of each slider, or a cylinder between its ends.
-fn straight_guides(drawing: &Drawing<'_>, tags: &mut Tags, row: usize, radius: f64) {
+/// The way of each slider, the outline of a curved slot, or a cylinder between its ends.
+fn guides(drawing: &Drawing<'_>, tags: &mut Tags, row: usize, radius: f64) {
     for (index, guide) in drawing.shown.picture.guides.iter().enumerate() {
         let layer = layer(drawing, Layer::Guides, |part| part.guides.contains(&index));
         let origin = drawing.shown.point_at(guide.origin, row);
         let direction = drawing.shown.way(guide.direction, row);
         let slider = drawing.shown.point_at(guide.slider, row);
-        if guide.shape == GuideShape::Cylinder {
-            tags.line(layer, origin, slider);
-            continue;
+        match guide.shape {
+            GuideShape::Cylinder => {
+                tags.line(layer, origin, slider);
+                continue;
+            }
+            GuideShape::Arc => {
+                if let Some(slot) = ArcSlot::new(&drawing.shown, guide, row) {
+                    arc_outline(tags, layer, &slot, GAP * radius);
+                }
+                continue;
+            }
+            GuideShape::Slot => {}
         }
         if !is_known(direction) {
             continue;
@@ -130,6 +138,32 @@ fn straight_guides(drawing: &Drawing<'_>, tags: &mut Tags, row: usize, radius: f
             let corners = [(half, high), (-half, high), (-half, -high), (half, -high)];
             tags.polyline(layer, true, false, corners.into_iter().map(corner));
         }
+    }
+}
+
+/// Two concentric arcs with round ends; two circles for a ring.
+fn arc_outline(tags: &mut Tags, layer: Layer, slot: &ArcSlot, half: f64) {
+    let [x, y] = slot.centre;
+    let sides = [slot.radius - half, slot.radius + half];
+    if slot.is_ring() {
+        for radius in sides {
+            tags.circle(layer, [x, y, 0.0], radius);
+        }
+        return;
+    }
+    let ends = [slot.start, slot.start + slot.span];
+    let [from, to] = ends.map(f64::to_degrees);
+    for radius in sides {
+        tags.arc(layer, [x, y, 0.0], radius, [from, to]);
+    }
+    for (end, angle, start) in [(ends[0], from, 180.0), (ends[1], to, 0.0)] {
+        let [x, y] = slot.point(slot.radius, end);
+        tags.arc(
+            layer,
+            [x, y, 0.0],
+            half,
+            [angle + start, angle + start + 180.0],
+        );
     }
 }
 

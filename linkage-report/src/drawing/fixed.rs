@@ -4,7 +4,7 @@ use super::geometry::moved;
 use super::options::Drawing;
 use super::sheet::Sheet;
 use super::sizes::{BEYOND, BLOCK, FOOT};
-use linkage_core::{Axis, Guide, GuideOn, PointKind};
+use linkage_core::{Axis, Guide, GuideOn, GuideShape, PointKind};
 use linkage_formats::colour::Colour;
 use linkage_formats::svg::{Element, Svg};
 
@@ -23,7 +23,7 @@ pub(super) fn frame_guide(
     guide: &Guide,
     row: usize,
 ) {
-    if guide.on != GuideOn::Frame {
+    if guide.on != GuideOn::Frame || guide.shape == GuideShape::Arc {
         return;
     }
     let Some(direction) = rightwards(sheet.direction(guide.direction, row)) else {

@@ -5,8 +5,9 @@ use std::vec::Vec;
 use super::geometry::{hull_places, moved};
 use super::options::Drawing;
 use super::sheet::Sheet;
-use super::signs;
 use super::sizes::{BEYOND, BLOCK, JOINT, OUTLINE};
+use super::{arc_slots, signs};
+use crate::arc_slot;
 use linkage_core::{GuideOn, GuideShape, PointKind};
 use linkage_formats::colour::Colour;
 use linkage_formats::svg::{Element, Svg};
@@ -28,6 +29,12 @@ pub(super) struct Body<'a> {
     nearness: f64,
 }
 
+impl Body<'_> {
+    fn is_plate(&self) -> bool {
+        self.corners.len() > 2
+    }
+}
+
 /// Bars, plates and rails, the farthest first. Plates have the corners that they have at the row
 /// `form`, so that all drawings of one that moves have the same.
 pub(super) fn links(
@@ -39,10 +46,22 @@ pub(super) fn links(
 ) {
     let mut bodies = bodies(drawing, sheet, row, form, false);
     bodies.sort_by(|a, b| a.nearness.total_cmp(&b.nearness));
+    let mut arcs = arc_slot::arcs_on(&drawing.shown, false);
+    if arcs.next().is_some() {
+        // A slot is in its plate, and below the bars with the pins.
+        let (plates, bars) = bodies.into_iter().partition(Body::is_plate);
+        draw(svg, plates);
+        arc_slots::on_links(drawing, svg, sheet, row);
+        draw(svg, bars);
+    } else {
+        draw(svg, bodies);
+    }
+}
+
+fn draw(svg: &mut Svg, bodies: Vec<Body>) {
     for body in bodies {
         let group = Element::new("g").class("link").set("data-name", body.name);
-        let plate = body.corners.len() > 2;
-        let group = if plate {
+        let group = if body.is_plate() {
             group.number("opacity", 0.9)
         } else {
             group
@@ -71,6 +90,7 @@ pub(super) fn ghost(drawing: &Drawing<'_>, svg: &mut Svg, sheet: &Sheet<'_>, row
                 .stroke(Colour::Frame, 0.25),
         );
     }
+    arc_slots::ghost(drawing, svg, sheet, row);
     for (index, point) in drawing.shown.picture.points.iter().enumerate() {
         let is_drawn = point.kind != PointKind::Construction;
         if let Some(at) = sheet.point(index, row).filter(|_| is_drawn) {
@@ -139,8 +159,9 @@ pub(super) fn bodies(
     let mut bodies = Vec::new();
     for (index, link) in picture.links.iter().enumerate() {
         let points = |row| {
-            let points = link.points.iter().map(|p| sheet.point(*p, row));
-            points.collect::<Option<Vec<_>>>()
+            let places = arc_slot::places_of_link(&drawing.shown, index, row);
+            let places = places.into_iter().map(|point| sheet.on_paper(point));
+            places.collect::<Option<Vec<_>>>()
         };
         if let (Some(points), Some(form)) = (points(row), points(form)) {
             let corners = hull_places(&form).into_iter();
@@ -158,6 +179,7 @@ pub(super) fn bodies(
         let colour = match guide.on {
             // Drawn by itself, but as a ghost.
             GuideOn::Itself if guide.shape == GuideShape::Cylinder && !ghost => continue,
+            _ if guide.shape == GuideShape::Arc => continue,
             GuideOn::Frame => continue,
             GuideOn::Link(link) => Colour::Link(drawing.shown.link_hue(link)),
             GuideOn::Itself => Colour::Link(drawing.shown.guide_hue(index)),

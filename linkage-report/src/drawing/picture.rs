@@ -2,7 +2,7 @@
 
 use super::options::Drawing;
 use super::sheet::Sheet;
-use super::{arrows, caption, fixed, legend, marks, names, parts, rows, signs, wheels};
+use super::{arc_slots, arrows, caption, fixed, legend, marks, names, parts, rows, signs, wheels};
 use linkage_formats::svg::{Element, Svg};
 
 /// The drawing at a row; plates have the corners that they have at the row `form`.
@@ -22,6 +22,7 @@ pub(super) fn picture_at(drawing: &Drawing<'_>, row: usize, form: usize) -> Svg 
     }
     fixed::axes(drawing, &mut svg, &sheet, row);
     wheels::wheels(drawing, &mut svg, &sheet, row);
+    arc_slots::on_frame(drawing, &mut svg, &sheet, row);
     parts::links(drawing, &mut svg, &sheet, row, form);
     // In front of plates, which would hide them.
     fixed::pivots(drawing, &mut svg, &sheet, row);

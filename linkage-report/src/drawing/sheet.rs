@@ -8,8 +8,9 @@ use super::options::Drawing;
 use super::pitch_circles::PitchCircles;
 use super::sizes::LETTER_WIDTH;
 use super::view::View;
+use crate::arc_slot::{self, ArcSlot};
 use crate::positioned_picture::PositionedPicture;
-use linkage_core::PointKind;
+use linkage_core::{GuideShape, PointKind};
 
 /// Around the mechanism, in millimetres: place for symbols; to the left and right also for names up
 /// to a length.
@@ -122,7 +123,7 @@ impl<'a> Sheet<'a> {
         self.view.nearness(self.shown.point_at(index, row))
     }
 
-    fn on_paper(&self, v: [f64; 3]) -> Option<[f64; 2]> {
+    pub(super) fn on_paper(&self, v: [f64; 3]) -> Option<[f64; 2]> {
         let [x, y] = self.view.project(v);
         let (x, y) = (
             (x - self.corner[0]) * self.factor,
@@ -145,7 +146,12 @@ fn limits(drawing: &Drawing<'_>, view: &View) -> [[f64; 2]; 2] {
         }
     };
     let guides = shown.picture.guides.iter();
+    let (arcs, guides): (Vec<_>, Vec<_>) = guides.partition(|guide| guide.shape == GuideShape::Arc);
+    let guides = guides.into_iter();
     let rails: Vec<_> = guides.map(|guide| (guide, shown.rail(guide))).collect();
+    let arcs = arcs.into_iter();
+    let arcs = arcs.filter_map(|guide| Some((guide, arc_slot::swing(shown, guide)?)));
+    let arcs: Vec<_> = arcs.collect();
     let gears = shown.picture.gears.iter();
     let gears = gears.filter_map(|gear| Some((gear, PitchCircles::new(shown, gear)?)));
     let gears: Vec<_> = gears.collect();
@@ -175,6 +181,11 @@ fn limits(drawing: &Drawing<'_>, view: &View) -> [[f64; 2]; 2] {
             for end in *rail {
                 take(along(origin, way, end));
             }
+        }
+        for (guide, swing) in &arcs {
+            let slot = ArcSlot::with_swing(shown, guide, *swing, row);
+            let line = slot.into_iter().flat_map(|slot| slot.middle_line());
+            line.for_each(|[x, y]| take([x, y, 0.0]));
         }
     }
     limits.map(|[low, high]| if low > high { [0.0; 2] } else { [low, high] })

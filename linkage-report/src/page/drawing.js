@@ -46,9 +46,9 @@ function makeLayers() {
 
 function makeParts() {
   const guides = picture.guides.flatMap((guide, index) => guideParts(guide, index).map((part) => ownedBy(part, ["guides", index])));
-  // In the plane nothing is nearer: guides, plates, bars, cylinders, blocks lie on each other in this order.
+  // In the plane nothing is nearer: guides, plates, their curved slots, bars, cylinders, blocks lie on each other in this order.
   const links = picture.links.map((link, index) => ownedBy(linkPart(link, index), ["links", index]));
-  const ranks = [".axis", ".guide", ".slot:not(.cylinder)", ".plate", ".bar", ".cylinder", "[data-slider]"];
+  const ranks = [".axis", ".guide", ".slot:not(.cylinder)", ".plate", ".arc", ".bar", ".cylinder", "[data-slider]"];
   const rank = (part) => ranks.findIndex((selector) => part.node.matches(selector));
   const axes = (picture.axes ?? []).map((axis) => ownedBy(axisPart(axis), ["points", axis.point]));
   drawing.bodies = [...axes, ...guides, ...links].sort((a, b) => rank(a) - rank(b));

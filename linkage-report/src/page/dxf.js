@@ -1,8 +1,8 @@
 // The drawing for programs that construct: DXF of release 12, true to size, as the report writes it.
 
-// Shares of the diagonal of the box about all places: radius of joints, half the length of axes, height of letters. The half sides of a slider in
-// radii of joints.
-const DXF = { joint: 0.006, axis: 0.1, letter: 0.014, block: [4, 2.2] };
+// Shares of the diagonal of the box about all places: radius of joints, half the length of axes, height of letters. The half sides of a slider and
+// half the width of a curved slot in radii of joints.
+const DXF = { joint: 0.006, axis: 0.1, letter: 0.014, block: [4, 2.2], gap: 1.4 };
 const DXF_LAYERS = { links: 7, joints: 1, paths: 5, guides: 8, gears: 3, axes: 4, names: 7 };
 // Colours of parts, as many as DXF has strong ones, and the step from one to the next.
 const DXF_HUES = { count: 24, next: 7 };
@@ -32,6 +32,12 @@ function dxfNow() {
   const entity = (kind, layer) => { put(0, kind); put(8, layer); };
   const line = (layer, a, b) => { entity("LINE", layer); coordinates(0, a); coordinates(1, b); };
   const circle = (layer, centre, size_) => { entity("CIRCLE", layer); coordinates(0, centre); number(40, size_); };
+  const arc = (layer, centre, size_, ends) => {
+    entity("ARC", layer);
+    coordinates(0, centre);
+    number(40, size_);
+    ends.forEach((angle, k) => number(50 + k, dxfDegrees(angle)));
+  };
   const words = (place, height, own) => { entity("TEXT", "names"); coordinates(0, place); number(40, height); put(1, dxfWords(own)); };
   const polyline = (layer, closed, spatial, places) => {
     entity("POLYLINE", layer);
@@ -51,8 +57,11 @@ function dxfNow() {
   dxfHead({ put, number, coordinates }, [low, high], radius);
   picture.links.forEach((link, index) => {
     const layer = layerOf("links", "links", index);
-    const places = link.points.map(at);
-    if (places.includes(null)) return;
+    const { points, arcs } = outlineOf(link, index);
+    const slots = arcs.map((guide) => arcInReport(guide, row));
+    const places = points.map(at);
+    if (places.includes(null) || slots.includes(null)) return;
+    places.push(...slots.flatMap(arcLine).map(space));
     if (places.length === 2) line(layer, ...places);
     else if (isSpatial()) places.forEach((a, k) => places.slice(k + 1).forEach((b) => line(layer, a, b)));
     else polyline(layer, 1, 0, hull(places).map(space));
@@ -63,6 +72,7 @@ function dxfNow() {
     if (origin === null || slider === null) return;
     if (guide.shape === "cylinder") return line(layer, origin, slider);
     if (direction === null) return;
+    if (guide.shape === "arc") return arcOutline(arcInReport(guide, row), DXF.gap * radius, { circle: circle.bind(null, layer), arc: arc.bind(null, layer) });
     line(layer, ...reachInReport(guide).map((distance) => along(origin, space(direction), distance)));
     if (isSpatial()) return;
     const [half, tall] = DXF.block.map((times) => times * radius);
@@ -99,6 +109,31 @@ function dxfNow() {
   put(0, "ENDSEC");
   put(0, "EOF");
   return text;
+}
+
+// A curved slot as the frame sees it.
+function arcInReport({ origin, direction, slider }, row) {
+  const places = (own) => [picture.points[origin], picture.directions[direction], picture.points[slider]].map((item) => placeOf(item, own));
+  return arcFrom(places(row), swingOf(input.values.map((_, own) => arcAngle(places(own)))));
+}
+
+// Two concentric arcs with round ends; two circles for a ring.
+function arcOutline(slot, half, { circle, arc }) {
+  const centre = [...slot.centre, 0];
+  const sides = [slot.radius - half, slot.radius + half];
+  if (slot.span >= 2 * Math.PI) return sides.forEach((radius) => circle(centre, radius));
+  const ends = [slot.start, slot.start + slot.span];
+  const angles = ends.map((angle) => (angle * 180) / Math.PI);
+  for (const radius of sides) arc(centre, radius, angles);
+  ends.forEach((end, k) => {
+    const start = angles[k] + (k === 0 ? 180 : 0);
+    arc([...arcAt(slot, slot.radius, end), 0], half, [start, start + 180]);
+  });
+}
+
+// The same angle from 0 to 360 degrees, to a billionth: elementary functions differ in last digits.
+function dxfDegrees(angle) {
+  return Math.round((((angle % 360) + 360) % 360) * 1e9) / 1e9;
 }
 
 // Everything before the entities.

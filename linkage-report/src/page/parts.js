@@ -28,14 +28,17 @@ function meanNearness(places) {
 }
 
 function linkPart(link, index) {
-  const plate = link.points.length > 2;
+  const { points, arcs } = outlineOf(link, index);
+  const plate = arcs.length > 0 || points.length > 2;
   const [node, draw] = outlined(plate ? "link plate" : "link bar", linkColour(hueOf("links", index, index)), `link ${link.name}`);
   set(node, { "data-link": link.name });
   return {
     node,
     update(row) {
-      const places = link.points.map((point) => pointAt(point, row));
-      if (places.includes(null)) return null;
+      const slots = arcs.map((guide) => arcNow(guide, row));
+      const places = points.map((point) => pointAt(point, row));
+      if (places.includes(null) || slots.includes(null)) return null;
+      places.push(...slots.flatMap(arcLine));
       const seen = places.map(project);
       const around = plate ? hull(seen) : seen;
       draw(lineThrough(around) + (plate ? "Z" : ""));
@@ -137,6 +140,7 @@ function axisPart(axis) {
 
 function guideParts(guide, index) {
   if (guide.shape === "cylinder") return [cylinderPart(guide, index)];
+  if (guide.shape === "arc") return [arcPart(guide, index)];
   const line = guide.on === "frame" ? framePart(guide) : movingPart(guide, index);
   return [line, blockPart(guide)];
 }

@@ -44,8 +44,8 @@ function eachRow(visit) {
   for (let row = 0; row < rowCount; row += 1) visit(row);
 }
 
-// The ranges of sliders along their guides: lowest and highest distance from the origin, until
-// places change.
+// The ranges of sliders along their guides: lowest and highest distance from the origin, angles of
+// an arc, until places change.
 const reaches = new Map();
 
 function reachOf(guide) {
@@ -54,6 +54,7 @@ function reachOf(guide) {
 }
 
 function reachNow(guide) {
+  if (guide.shape === "arc") return swingOf(input.values.map((_, row) => arcAngle(guidePlaces(guide, row))));
   let low = Infinity;
   let high = -Infinity;
   eachRow((row) => {
@@ -95,20 +96,18 @@ function extent() {
       });
     }));
   }
-  if (isStanding()) guidesAround(low, high);
+  guidesAround(low, high);
   const known = low.every(Number.isFinite);
   const middle = low.map((component, i) => (known ? (component + high[i]) / 2 : 0));
   const half = low.map((component, i) => (known ? (high[i] - component) / 2 : 1));
   return { middle, half, radius: reachFrom(middle) || 1 };
 }
 
-// Guides of a frame that moves sweep more than their sliders.
+// Plates with curved slots are larger than their points. Guides of a frame that moves sweep more than their sliders.
 function guidesAround(low, high) {
-  for (const guide of picture.guides.filter(({ on }) => on === "frame")) {
+  for (const guide of picture.guides.filter(({ on, shape }) => shape === "arc" || (isStanding() && on === "frame"))) {
     eachRow((row) => {
-      const [origin, direction] = guidePlaces(guide, row);
-      if (origin === null || direction === null) return;
-      for (const place of reachOf(guide).map((distance) => along(origin, direction, distance))) {
+      for (const place of guideLine(guide, row)) {
         place.forEach((component, i) => {
           low[i] = Math.min(low[i], component);
           high[i] = Math.max(high[i], component);
@@ -116,6 +115,17 @@ function guidesAround(low, high) {
       }
     });
   }
+}
+
+// Places along a guide: both ends, or all of an arc. None where the mechanism is not whole.
+function guideLine(guide, row) {
+  if (guide.shape === "arc") {
+    const arc = arcNow(guide, row);
+    return arc === null ? [] : arcLine(arc);
+  }
+  const [origin, direction] = guidePlaces(guide, row);
+  if (origin === null || direction === null) return [];
+  return reachOf(guide).map((distance) => along(origin, direction, distance));
 }
 
 function reachFrom(middle) {

@@ -30,9 +30,9 @@ function placeInReport(index, row) {
   return placeOf(picture.points[index], row);
 }
 
-// Bodies to stand on: links, and sliders on guides of the frame.
+// Bodies to stand on: links, and sliders on straight guides of the frame.
 function bodiesToStandOn() {
-  const blocks = picture.guides.map((guide) => (guide.on === "frame" ? blockToStandOn(guide) : null));
+  const blocks = picture.guides.map((guide) => (guide.on === "frame" && guide.shape !== "arc" ? blockToStandOn(guide) : null));
   return [...picture.links.map(linkToStandOn), ...blocks].filter((body) => body !== null);
 }
 

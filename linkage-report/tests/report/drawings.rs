@@ -1,10 +1,11 @@
 //! Drawings as SVG.
 
-use crate::fixture::{FourBar, PHI, quick_return, spatial};
+use crate::fixture::{FourBar, PHI, curved_slots, quick_return, spatial};
 use crate::four_bar;
 use crate::picture::{classed, corners, lines, number, words};
 use linkage_report::{Report, ReportError};
 use roxmltree::{Document, Node};
+use std::f64::consts::TAU;
 
 fn point(svg: &Document<'_>, name: &str) -> [f64; 2] {
     let points = classed(svg, "point");
@@ -180,6 +181,59 @@ fn sliders_lie_on_their_guides() {
         words(&svg, "name"),
         ["pivot", "foot", "rest", "pin", "end", "ram"]
     );
+}
+
+/// Slots have their pins between their ends, and a lever is drawn around its slot.
+#[test]
+fn curved_slots_are_arcs() {
+    let phi = PHI.positions(73);
+    let report = Report::new("Slots", &PHI, &phi).table(&curved_slots(&phi));
+    let drawing = report.drawing().unwrap().scale(1.0).position(phi[9]);
+    let svg = drawing.svg().unwrap();
+    let svg = Document::parse(&svg).unwrap();
+    let arcs = classed(&svg, "arc");
+    let names: Vec<_> = arcs.iter().map(|arc| arc.attribute("data-name")).collect();
+    assert_eq!(names, [Some("way"), Some("ring"), Some("slot")]);
+    let lever = 0.3 * phi[9].sin();
+    let [of_lever, of_frame] = curved_slots::PINS;
+    let spans = [2.0 * of_frame[1], TAU, 2.0 * of_lever[1]];
+    let radii = curved_slots::RADII;
+    let radii = [radii[1], radii[2], radii[0]];
+    for (((arc, pin), span), radius) in arcs
+        .iter()
+        .zip(["die", "runner", "pin"])
+        .zip(spans)
+        .zip(radii)
+    {
+        let mut line = arc.children().filter(|node| node.has_tag_name("polyline"));
+        let line = corners(line.next_back().unwrap());
+        let length: f64 = line.windows(2).map(|ends| distance(ends[0], ends[1])).sum();
+        let near = (length - span * radius).abs() < 1e-3 * length;
+        assert!(near, "{pin}: {length} mm on paper");
+        let pin = point(&svg, pin);
+        let nearest = line.iter().map(|at| distance(*at, pin));
+        assert!(nearest.fold(f64::INFINITY, f64::min) < 0.04 * radius);
+    }
+    // Below the pin's rod, and in front of the plate.
+    let bodies = classed(&svg, "link");
+    let names: Vec<_> = bodies
+        .iter()
+        .map(|body| body.attribute("data-name"))
+        .collect();
+    assert_eq!(names, [Some("lever"), Some("slot"), Some("rod")]);
+    // The plate has the slot, and not its centre.
+    let plate = corners(bodies[0].first_element_child().unwrap());
+    let from_trunnion = point(&svg, "trunnion");
+    let beside_lever = plate.iter().map(|corner| {
+        let [x, y] = [0, 1].map(|k| corner[k] - from_trunnion[k]);
+        -x * lever.sin() - y * lever.cos()
+    });
+    let farthest = beside_lever.fold(f64::NEG_INFINITY, f64::max);
+    assert!(
+        (farthest - curved_slots::RADII[0]).abs() < 0.1,
+        "{farthest}"
+    );
+    assert!(plate.len() > 10);
 }
 
 #[test]

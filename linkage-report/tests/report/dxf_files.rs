@@ -1,6 +1,6 @@
 //! Drawings as DXF, read back by a library that other programs read it with.
 
-use crate::fixture::{FourBar, PHI, quick_return, spatial};
+use crate::fixture::{FourBar, PHI, curved_slots, quick_return, spatial};
 use crate::four_bar;
 use dxf::entities::EntityType;
 use dxf::{Drawing, Point};
@@ -161,6 +161,56 @@ fn sliders_stand_on_their_guides() {
     });
     assert!((low - least).abs() < 1e-12 && (high - most).abs() < 1e-12);
     assert_eq!(guides[4], [[-130.0, -60.0, 0.0], pin]);
+}
+
+/// Two concentric arcs with round ends each, and two circles for the ring.
+#[test]
+fn curved_slots_have_outlines() {
+    let phi = PHI.positions(73);
+    let report = Report::new("Slots", &PHI, &phi).table(&curved_slots(&phi));
+    let drawing = report.drawing().unwrap().position(phi[9]);
+    let drawing = read(&drawing.dxf().unwrap());
+    let guides = on(&drawing, "guides").into_iter();
+    let (arcs, circles): (Vec<_>, Vec<_>) =
+        guides.partition(|entity| matches!(entity, EntityType::Arc(_)));
+    let arcs = arcs.into_iter().map(|entity| match entity {
+        EntityType::Arc(arc) => arc,
+        other => panic!("{other:?}"),
+    });
+    let arcs: Vec<_> = arcs.collect();
+    assert_eq!((arcs.len(), circles.len()), (8, 2));
+    let [of_lever, of_frame] = curved_slots::PINS;
+    let lever = 0.3 * phi[9].sin();
+    for (arcs, radius, ends) in [
+        (
+            &arcs[..4],
+            curved_slots::RADII[0],
+            [of_lever[0] + lever, of_lever[1]],
+        ),
+        (&arcs[4..], curved_slots::RADII[1], of_frame),
+    ] {
+        let [inner, outer, first, second] = arcs else {
+            panic!("{arcs:?}")
+        };
+        assert!((inner.radius + outer.radius - 2.0 * radius).abs() < 1e-9);
+        let half = 0.5 * (outer.radius - inner.radius);
+        let turn = |angle: f64| angle.to_degrees().rem_euclid(360.0);
+        let wanted = [ends[0] - ends[1], ends[0] + ends[1]];
+        for side in [inner, outer] {
+            let found = [side.start_angle, side.end_angle];
+            let apart = [0, 1].map(|k| (found[k] - turn(wanted[k])).abs());
+            assert!(apart.iter().all(|apart| *apart < 1e-8), "{found:?}");
+        }
+        // The round ends lead on from one side to the other.
+        for (end, angle, begin) in [(first, wanted[0], 180.0), (second, wanted[1], 0.0)] {
+            assert!((end.radius - half).abs() < 1e-9);
+            let from = [end.center.x - inner.center.x, end.center.y - inner.center.y];
+            let [x, y] = [radius * angle.cos(), radius * angle.sin()];
+            assert!((from[0] - x).hypot(from[1] - y) < 1e-9);
+            let begin = (angle.to_degrees() + begin).rem_euclid(360.0);
+            assert!((end.start_angle - begin).abs() < 1e-8);
+        }
+    }
 }
 
 #[test]

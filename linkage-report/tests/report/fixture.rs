@@ -1,9 +1,11 @@
 //! Mechanisms with sweeps written by hand.
 
+pub(crate) mod curved_slots;
 mod four_bar;
 mod quick_return;
 mod spatial;
 
+pub(crate) use curved_slots::curved_slots;
 pub(crate) use four_bar::{FourBar, MOTION};
 pub(crate) use quick_return::quick_return;
 pub(crate) use spatial::spatial;

@@ -74,6 +74,51 @@ fn the_drawing_is_the_picture_at_the_reference_inputs() {
     assert!(drawing[..pivot].ends_with(&format!("M{x} {}", bottom.max(top))));
 }
 
+/// The point is in the middle of its slot, between the two sides.
+#[test]
+fn a_curved_slot_has_two_arcs_about_its_point() {
+    let text = include_str!("../../../linkage-compiler/tests/drawings/curved_slot.mech");
+    let drawing = drawing(text.parse().expect("tokens")).expect("a drawing");
+    let (before, _) = drawing.split_once("<title>slot</title>").expect("a slot");
+    let path = before.rsplit("d=\"M").next().expect("a path");
+    let path = path.split('"').next().expect("a path");
+    let pieces: Vec<Vec<f64>> = path
+        .trim_end_matches('Z')
+        .split('A')
+        .map(|piece| {
+            piece
+                .split(' ')
+                .map(|x| x.parse().expect("a number"))
+                .collect()
+        })
+        .collect();
+    let [start, outer, first, inner, second] = &pieces[..] else {
+        panic!("{path}")
+    };
+    // Radii and ends of the arcs; the slot is as wide as the round ends are high.
+    assert_eq!((first[0], second[0], &second[5..]), (6.0, 6.0, &start[..]));
+    assert!((outer[0] - inner[0] - 12.0).abs() < 0.11, "{path}");
+    let pin = drawing.find(">pin</text>").expect("a name");
+    let at = |value: &str| -> f64 {
+        let tag = drawing[..pin].rsplit('<').next().expect("a tag");
+        let text = tag.split(&format!("{value}=\"")).nth(1).expect(value);
+        text.split('"')
+            .next()
+            .expect(value)
+            .parse()
+            .expect("a number")
+    };
+    // Names are to the right of their points, above them.
+    let pin = [at("x") - 7.0, at("y") + 7.0];
+    let ends = [start, &outer[5..], &first[5..], &inner[5..]];
+    let reach = ends.map(|end| (end[0] - pin[0]).hypot(end[1] - pin[1]));
+    let [least, most] = [f64::min, f64::max].map(|pick| reach.into_iter().reduce(pick));
+    assert!(
+        most.unwrap_or(0.0) - least.unwrap_or(0.0) < 4.0,
+        "{reach:?}"
+    );
+}
+
 #[test]
 fn a_mechanism_without_a_picture_has_no_drawing() {
     let text = quote! {

@@ -256,6 +256,7 @@ pub(crate) fn mechanism() -> Mechanism {
         joints: vec![],
         loads: vec![],
         elements: vec![],
+        arcs: vec![],
         evaluators: vec![
             evaluator("path", "Path", vec![0]),
             evaluator("modes", "Turning", vec![0]),

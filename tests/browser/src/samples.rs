@@ -6,6 +6,7 @@ mod many;
 mod roundoff;
 mod sheet;
 mod sliders;
+mod slots;
 mod spatial;
 mod yokes;
 
@@ -15,6 +16,7 @@ pub use many::{falling, many};
 pub use roundoff::roundoff;
 pub use sheet::Sheet;
 pub use sliders::sliders;
+pub use slots::slots;
 pub use spatial::{spatial, spatial_machine};
 pub use yokes::{yokes, yokes_cyclogram};
 

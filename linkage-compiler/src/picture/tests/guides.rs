@@ -157,3 +157,69 @@ fn a_guide_of_the_plane_lies_in_space() {
          axis in pivot: axis at l43/frame",
     );
 }
+
+/// Loops may keep a cylinder in line with a slot of the frame or of a link. A driven length along
+/// a direction that is written is a slot itself.
+#[test]
+fn a_cylinder_may_be_in_line_with_a_slot() {
+    expect(
+        "input phi = 80mm in 70mm..110mm; unknown theta = 10deg; unknown t = 80mm;
+         let end = polar(phi, theta); loop end = (t, 0mm);",
+        "picture()",
+        "point phi/frame: Ground
+         point end: Joint
+         cylinder phi: end from phi/frame, on itself
+         guide t: end from phi/frame, on frame",
+    );
+    expect(
+        "input phi = 80mm in 70mm..110mm; param l = 150mm; param n = 85mm;
+         unknown theta = 30deg; unknown psi = 30deg; unknown t = 80mm;
+         let end = polar(phi, theta); loop end = polar(t, psi);
+         let tip = polar(l, psi); loop distance(end, (140mm, 0mm)) = n;",
+        "picture()",
+        "point l/phi/frame: Ground
+         point end: Joint
+         point tip: Tip
+         point n/frame: Ground
+         link l: l/phi/frame, tip
+         link n: end, n/frame
+         cylinder phi: end from l/phi/frame, on itself
+         guide t: end from l/phi/frame, on l",
+    );
+    expect(
+        "input phi = 80mm in 70mm..110mm; unknown theta = 30deg; loop theta = 30deg;
+         let end = polar(phi, theta);",
+        "picture()",
+        "point guide of phi: Construction
+         point end: Joint
+         guide phi: end from guide of phi, on frame",
+    );
+}
+
+/// The bar of the loop becomes a slot, and is left out unless it is listed.
+#[test]
+fn an_arc_is_a_slot_in_place_of_a_bar() {
+    let items = "param crank = 30mm; param rod = 90mm; param r = 70mm; param c = (110mm, 0mm);
+        input phi = 30deg in 0deg..360deg; unknown psi = 20deg; unknown theta = 120deg;
+        let o = polar(crank, phi); let p = o + polar(rod, psi); loop p = c + polar(r, theta);";
+    let slot = "point crank/frame: Ground
+        point o: Joint
+        point p: Joint
+        point c: Construction
+        link crank: crank/frame, o
+        link rod: o, p
+        arc slot: p from c, on frame";
+    expect(&format!("{items} arc slot: p around c;"), "picture()", slot);
+    expect(
+        &format!("{items} arc slot: c around p turned by psi;"),
+        "picture([c, p])",
+        "point crank/frame: Ground
+         point o: Joint
+         point p: Joint
+         point c: Ground
+         link r: c, p
+         link crank: crank/frame, o
+         link rod: o, p
+         arc slot: c from p, on rod",
+    );
+}

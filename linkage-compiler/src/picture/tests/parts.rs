@@ -124,3 +124,48 @@ fn pivots_of_coupled_parts_that_coincide_by_chance_are_two_points() {
     let shared = ", pivot = one.pivot, right = one.right, top = one.top";
     assert_eq!(pivots(shared).len(), 3, "{:?}", pivots(shared));
 }
+
+/// The slot of a part is drawn where the part is, and turned as the part.
+#[test]
+fn arcs_come_along_with_parts() {
+    let text = "
+        struct Guided {
+            unit mm;
+            param rod = 90mm;
+            param c = (110mm, 0mm);
+            param r = 70mm;
+            input phi = 30deg in 0deg..360deg;
+            unknown psi = 20deg;
+            unknown theta = 120deg;
+            let o = polar(30mm, phi);
+            let p = o + polar(rod, psi);
+            loop p = c + polar(r, theta);
+            arc slot: p around c;
+        }
+        struct M {
+            unit mm;
+            input shaft = 30deg in 0deg..360deg;
+            part one: Guided { phi = shaft } at (10mm, 20mm) turned by 90deg;
+        }
+        impl M { fn look(shaft) -> Look { shape: picture() } }";
+    let checked = check_all(text.parse().expect("tokens"));
+    let machine = checked.into_iter().next_back().expect("the machine");
+    assert!(machine.messages.is_empty(), "{:#?}", machine.messages);
+    let picture = machine.unit.and_then(|unit| unit.picture);
+    let picture = picture.expect("a picture");
+    let lines = picture.to_string();
+    let [guide] = &picture.guides[..] else {
+        panic!("{lines}")
+    };
+    assert!(lines.contains("arc one.slot: one.p from one.c, on frame"));
+    assert!(!lines.contains("link one.r:"), "{lines}");
+    let near = |found: &[f64], x: f64, y: f64| {
+        assert!((found[0] - x).hypot(found[1] - y) < 1e-12, "{found:?}");
+    };
+    near(&picture.reference[guide.origin], 10.0, 130.0);
+    near(
+        &picture.reference[picture.points.len() + guide.direction],
+        0.0,
+        1.0,
+    );
+}

@@ -62,6 +62,7 @@ impl Counts {
             | Item::Loop(_)
             | Item::Gravity(_)
             | Item::Body(_)
+            | Item::Arc(_)
             | Item::Joint(_)
             | Item::Force(_)
             | Item::Torque(_)

@@ -4,7 +4,7 @@
 //! one pass keep the order in which they are written.
 
 use crate::syntax::{
-    BodyItem, ElementItem, GravityItem, InputItem, Item, JointItem, LoadItem, LoopItem,
+    ArcItem, BodyItem, ElementItem, GravityItem, InputItem, Item, JointItem, LoadItem, LoopItem,
     MechanismDef, NamedItem, ParamItem, PartItem, UnitItem, UnknownItem,
 };
 
@@ -22,6 +22,7 @@ pub(in crate::model) struct Passes<'a> {
     pub(in crate::model) parts: Vec<&'a PartItem>,
     pub(in crate::model) bodies: Vec<&'a BodyItem>,
     pub(in crate::model) mechanics: Vec<Mechanical<'a>>,
+    pub(in crate::model) arcs: Vec<&'a ArcItem>,
 }
 
 /// An input or an unknown.
@@ -82,6 +83,7 @@ impl<'a> Passes<'a> {
                     passes.parts.push(item);
                 }
                 Item::Body(item) => passes.bodies.push(item),
+                Item::Arc(item) => passes.arcs.push(item),
                 Item::Gravity(item) => passes.mechanics.push(Mechanical::Gravity(item)),
                 Item::Joint(item) => passes.mechanics.push(Mechanical::Joint(item)),
                 Item::Force(item) => passes.mechanics.push(Mechanical::Force(item)),

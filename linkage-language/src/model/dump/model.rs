@@ -89,7 +89,16 @@ fn write_items(out: &mut String, mechanism: &Mechanism) -> fmt::Result {
         let (left, right) = (show(&item.left), show(&item.right));
         writeln!(out, "redundant loop {left} = {right}: {}", item.left.ty)?;
     }
-    write_mechanics(out, mechanism)
+    write_mechanics(out, mechanism)?;
+    for arc in &mechanism.arcs {
+        let [slider, centre] = [&arc.slider, &arc.centre].map(show);
+        let (name, direction) = (&arc.name, show(&arc.direction));
+        writeln!(
+            out,
+            "arc {name}: {slider} around {centre}, direction {direction}"
+        )?;
+    }
+    Ok(())
 }
 
 fn write_functions(out: &mut String, mechanism: &Mechanism) -> fmt::Result {

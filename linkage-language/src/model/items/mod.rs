@@ -1,5 +1,6 @@
 //! Items of the struct block and functions of the `impl` block.
 
+pub(super) mod arc;
 pub(super) mod argument;
 pub(super) mod coordinates;
 pub(super) mod definitions;

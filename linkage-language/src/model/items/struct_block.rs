@@ -1,5 +1,6 @@
 //! The items of the struct block.
 
+use super::arc::resolve_arc;
 use super::argument::resolve_arguments;
 use super::coordinates::{resolve_input, resolve_unknown};
 use super::definitions::{resolve_loop, resolve_named};
@@ -51,6 +52,7 @@ pub(in crate::model) fn resolve_items(
         joints: Vec::new(),
         loads: Vec::new(),
         elements: Vec::new(),
+        arcs: Vec::new(),
         evaluators: Vec::new(),
         origin: sink.add_origin((&definition.name).into()),
     };
@@ -126,6 +128,9 @@ pub(in crate::model) fn resolve_items(
         &passes.parts,
         &mut mechanism,
     );
+    for item in passes.arcs {
+        mechanism.arcs.push(resolve_arc(scope, sink, item));
+    }
     mechanism
         .scalar_parameters
         .clone_from(&scope.values.scalar_parameters);

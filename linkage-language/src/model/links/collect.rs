@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use proc_macro2::Ident;
 
-use super::linkage::{FRAME, Joint, Link, Linkage, Path, Slider, Wheels};
+use super::linkage::{Arc, FRAME, Joint, Link, Linkage, Path, Slider, Wheels};
 use super::nodes::ident;
 use crate::diagnostic::Diagnostics;
 use crate::diagnostic::text::nearest;
@@ -34,6 +34,7 @@ pub(super) fn collect<'a>(
         joints: Vec::new(),
         links: vec![frame(definition)],
         sliders: Vec::new(),
+        arcs: Vec::new(),
         wheels: Vec::new(),
         welds: Vec::new(),
     };
@@ -270,12 +271,20 @@ fn add_slider<'a>(
         }
         SlidePath::Arc { centre, radius } => {
             let Some(centre) = joint(centre) else { return };
-            let Some(pin) = pin else { return };
+            let (Some(pin), Some(guide)) = (pin, guide) else {
+                return;
+            };
             if item.block.is_some() || item.at.is_some() {
                 let fact = "`block` and `at` belong to a straight slot";
                 let help = "join the links by another link, from the middle of the arc to the pin";
                 diagnostics.error_with_help((&item.name).into(), fact, help);
             }
+            linkage.arcs.push(Arc {
+                link: linkage.links.len(),
+                pin,
+                centre,
+                guide,
+            });
             // A pin in the arc is as far from the middle as if a link joined both.
             numbers
                 .links

@@ -11,7 +11,7 @@ use super::slides::{
     along, drawn_direction, drawn_in_slot, drawn_position, guide, leads_on, point_in_slot,
     slot_angle, slot_on_body, start_item, start_joint,
 };
-use super::{drawn_faults, mechanics, space, wheels};
+use super::{curved_slots, drawn_faults, mechanics, space, wheels};
 use crate::diagnostic::{Diagnostics, SourceSpan};
 use crate::model::types::Function;
 use crate::syntax::{
@@ -54,6 +54,7 @@ pub(super) fn items(
     }
     items.extend(wheels::items(&sheet));
     items.extend(mechanics::items(definition, &sheet, diagnostics));
+    items.extend(curved_slots::items(&sheet));
     items
 }
 

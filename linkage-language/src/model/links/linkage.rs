@@ -12,6 +12,7 @@ pub(super) struct Linkage<'a> {
     /// The frame is the first of them.
     pub(super) links: Vec<Link<'a>>,
     pub(super) sliders: Vec<Slider<'a>>,
+    pub(super) arcs: Vec<Arc>,
     pub(super) wheels: Vec<Wheels<'a>>,
     /// Pairs of links that are one body.
     pub(super) welds: Vec<[usize; 2]>,
@@ -47,6 +48,14 @@ pub(super) struct Slider<'a> {
     pub(super) path: Path<'a>,
     pub(super) block: Option<usize>,
     pub(super) at: Option<&'a Expr>,
+}
+
+/// A slot that is an arc about a joint of the guide. The link of its name keeps the pin in it.
+pub(super) struct Arc {
+    pub(super) link: usize,
+    pub(super) pin: usize,
+    pub(super) centre: usize,
+    pub(super) guide: usize,
 }
 
 #[derive(Clone, Copy)]

@@ -99,7 +99,8 @@ fn has_forces(definition: &MechanismDef) -> bool {
         | Item::Let(_)
         | Item::Loop(_)
         | Item::Argument(_)
-        | Item::Part(_) => false,
+        | Item::Part(_)
+        | Item::Arc(_) => false,
     });
     let functions = definition.functions.iter();
     let mut quantities = functions.flat_map(|function| &function.quantities);
@@ -307,6 +308,7 @@ pub(super) fn rename(definition: &mut MechanismDef, renamed: &BTreeMap<String, S
             | Item::Loop(_)
             | Item::Argument(_)
             | Item::Gravity(_)
+            | Item::Arc(_)
             | Item::Linked(_) => {}
         }
     }

@@ -5,6 +5,7 @@
 //! which joint each body is reached and where loops close, and `link_items` writes the items.
 
 mod collect;
+mod curved_slots;
 mod drawing;
 mod drawn_faults;
 mod link_items;

@@ -1,7 +1,7 @@
-//! Bodies, joints and loads of a part, in the frame and with the numbers of the mechanism around.
+//! Bodies, joints, loads and arcs of a part, in the frame and with the numbers of the mechanism around.
 
 use super::embed::Embedding;
-use crate::model::types::{Between, Body, Element, Expr, Inertia, Joint, Load};
+use crate::model::types::{Arc, Between, Body, Element, Expr, Inertia, Joint, Load};
 
 /// Numbers of bodies and joints of a part in the mechanism around it.
 #[derive(Clone, Copy)]
@@ -84,6 +84,16 @@ impl Embedding<'_> {
             at: self.point(&joint.at),
             direction: joint.direction.as_ref().map(|vector| self.vector(vector)),
             origin: self.origin(joint.origin),
+        })
+    }
+
+    pub(in crate::model) fn arcs(&self) -> impl Iterator<Item = Arc> {
+        let arcs = self.body.mechanism().arcs.iter();
+        arcs.map(|arc| Arc {
+            name: self.text(&arc.name),
+            slider: self.point(&arc.slider),
+            centre: self.point(&arc.centre),
+            direction: self.vector(&arc.direction),
         })
     }
 

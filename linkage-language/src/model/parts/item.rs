@@ -127,6 +127,7 @@ pub(in crate::model) fn resolve_part(
     let inner: Vec<Placed> = embedding.placed(mechanism.loops.len()).collect();
     mechanism.leaves.extend(body.leaves(mechanism.loops.len()));
     mechanism.loops.extend(embedding.loops());
+    mechanism.arcs.extend(embedding.arcs());
     mechanism.parts.push(embedding.as_part());
     scope.parts.placed.extend(inner);
     for item in lets {

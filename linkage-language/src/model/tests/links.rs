@@ -341,3 +341,26 @@ fn mistakes_in_links_of_space() {
         );
     }
 }
+
+/// Each arc names the angle of its link, and those of the frame name none.
+#[test]
+fn curved_slots_turn_with_their_links() {
+    const JOINTS: &str = "unit mm; input phi = 60deg; joint o = (0mm, 0mm), a = (10mm, 17.3mm), \
+        p = (90mm, 40mm), t = (60mm, 0mm), c = (90mm, 90mm); link frame: o, t, c; \
+        link crank: o, a at phi; link rod: a, p;";
+    let arcs = |items: &str| -> Vec<String> {
+        let (text, messages) = expanded(&format!("struct M {{ {JOINTS} {items} }}"));
+        assert_eq!(messages, Vec::<String>::new());
+        let lines = text.lines().map(str::trim);
+        let arcs = lines.filter(|line| line.starts_with("arc "));
+        arcs.map(str::to_owned).collect()
+    };
+    let on_frame = arcs("slider s: p on frame around c;");
+    assert_eq!(on_frame, ["arc s: p around c"]);
+    let lever =
+        "joint m = (120mm, 10mm); link lever: t, m; slider s: p on lever around m; link tie: p, c;";
+    assert_eq!(arcs(lever), ["arc s: p around m, turned by lever.angle"]);
+    // A link that joins both is drawn itself.
+    let joined = "link arm: c, p; slider s: p on frame around c;";
+    assert_eq!(arcs(joined), Vec::<String>::new());
+}

@@ -38,6 +38,7 @@ pub struct Mechanism {
     pub joints: Vec<Joint>,
     pub loads: Vec<Load>,
     pub elements: Vec<Element>,
+    pub arcs: Vec<Arc>,
     pub evaluators: Vec<EvaluatorDef>,
     pub origin: OriginId,
 }
@@ -183,6 +184,17 @@ pub struct Let {
     pub value: Expr,
     /// True for an unknown frame, which consists of unknowns.
     pub is_unknown_frame: bool,
+}
+
+/// A curved slot: a loop keeps its slider at a constant distance from its centre.
+#[derive(Clone, Debug)]
+pub struct Arc {
+    pub name: String,
+    /// The point in the slot.
+    pub slider: Expr,
+    pub centre: Expr,
+    /// A unit vector that turns with the link that has the slot.
+    pub direction: Expr,
 }
 
 /// `left = right`, both of one type: a scalar or a vector of two or three components.

@@ -32,8 +32,8 @@ pub use joint::Rotation;
 pub use length_unit::LengthUnit;
 pub use mechanics::{Between, Body, Element, ElementKind, Inertia, Joint, Load};
 pub use mechanism::{
-    Argument, Constant, EvaluatorDef, Input, Leaf, Let, Loop, Mechanism, MechanismPart, Parameter,
-    Placed, Quantity, ScalarParameter, Unknown,
+    Arc, Argument, Constant, EvaluatorDef, Input, Leaf, Let, Loop, Mechanism, MechanismPart,
+    Parameter, Placed, Quantity, ScalarParameter, Unknown,
 };
 pub use motion_law::{
     Ends, HIGHEST_SLOPE, Law, MotionLawKind, Pieces, Repeating, Repeats, SplineWord,

@@ -32,7 +32,7 @@ function drawn(index) {
   const { picture } = data.designs[index];
   const { size } = extentOfAll();
   const rows = data.input.values.map((_, row) => row);
-  const still = picture.rails.map(([from, to]) => shape("path", { class: "rail", d: wayThrough([from, to].map(([x, y]) => [x, -y]), 6) }));
+  const still = picture.rails.map((rail) => shape("path", { class: "rail", d: wayThrough(rail.map(([x, y]) => [x, -y]), 6) }));
   const traces = picture.traces.map((point) => {
     const d = wayThrough(rows.map((row) => place(picture.points[point], row)), 6);
     return shape("path", { class: "trace", d, ...line(index) });

@@ -20,6 +20,7 @@ mod playing;
 mod plots;
 mod print;
 mod signs;
+mod slots;
 mod space;
 mod tables;
 mod thinned;
