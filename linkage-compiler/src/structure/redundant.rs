@@ -10,6 +10,7 @@ use crate::message_format::loop_list;
 use crate::model::{Dimension, Mechanism};
 use crate::structure::equations;
 use crate::structure::equations::{Coordinate, CoordinateKind, Equation};
+use crate::structure::link_faults;
 use crate::structure::simultaneous::{ACROSS, SimultaneousLoops};
 
 /// Positions besides the reference, as shares of a small motion to both sides.
@@ -64,13 +65,17 @@ pub(crate) fn redundant_loops<'m>(
         Some((left_out, even))
     });
     let mut like = "";
+    let spare_loops = spare
+        .as_ref()
+        .map_or(&surplus.loops, |(left_out, _)| &left_out.loops);
+    let link_help = help_for_link(names.mechanism, nominal, spare_loops);
     let help = match spare {
         Some((left_out, even)) => {
             let loops = loop_list(&left_out.loops);
             if !even.is_empty() {
                 like = ", as a further crank on one rod does that stays parallel";
             }
-            match lets_for(names.mechanism, &even) {
+            match lets_for(names.mechanism, &even).filter(|_| link_help.is_none()) {
                 Some(lets) => format!("write {lets} and leave {loops} out"),
                 None => format!("leave {loops} out, or write `redundant` at its end"),
             }
@@ -81,10 +86,27 @@ pub(crate) fn redundant_loops<'m>(
         ),
     };
     Some(RedundantLoops {
-        fact: format!(
-            "; with these dimensions it closes all the same and repeats the other loops{like}"
+        fact: match link_help {
+            Some(_) => format!("; with these dimensions it fits and holds nothing{like}"),
+            None => format!(
+                "; with these dimensions it closes all the same and repeats the other loops{like}"
+            ),
+        },
+        help: link_help.unwrap_or(help),
+    })
+}
+
+/// Returns the advice for a link, slider or joint that repeats others; `None` for a loop as it is
+/// written.
+fn help_for_link(mechanism: &Mechanism, nominal: &Nominal, loops: &[usize]) -> Option<String> {
+    let link = link_faults::link_to_leave_out(mechanism, loops)?;
+    let distance = link_faults::distance_of_ends(mechanism, loops);
+    let length = link_faults::length_of_link(mechanism, nominal, loops);
+    Some(match distance.zip(length) {
+        Some((distance, length)) => format!(
+            "leave {link} out, or write `loop {distance} = {length} redundant;` in its place, to have its fit checked"
         ),
-        help,
+        None => format!("leave {link} out"),
     })
 }
 

@@ -264,6 +264,7 @@ impl Parser<'_> {
             left,
             right,
             span,
+            of: None,
         })
     }
 }

@@ -52,6 +52,7 @@ pub(in crate::model) fn resolve_items(
         loads: Vec::new(),
         elements: Vec::new(),
         evaluators: Vec::new(),
+        links: definition.links.clone(),
         origin: sink.add_origin((&definition.name).into()),
     };
     for (position, item) in passes.constants {

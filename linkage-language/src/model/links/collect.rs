@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use proc_macro2::Ident;
 
-use super::linkage::{FRAME, Joint, Link, Linkage, Path, Slider, Wheels};
+use super::linkage::{FRAME, Joint, LENGTH, Link, Linkage, Path, RADIUS, Slider, Wheels};
 use super::nodes::ident;
 use crate::diagnostic::Diagnostics;
 use crate::diagnostic::text::nearest;
@@ -91,7 +91,7 @@ fn frame(definition: &MechanismDef) -> Link<'_> {
         at: None,
         about: None,
         length: None,
-        length_word: "length",
+        length_word: LENGTH,
         masses: &[],
         inertias: &[],
     }
@@ -208,7 +208,7 @@ fn add_link<'a>(
         at: item.at.as_ref(),
         about: item.about.as_ref(),
         length: item.length.as_ref(),
-        length_word: "length",
+        length_word: LENGTH,
         masses: &item.masses,
         inertias: &item.inertias,
     });
@@ -287,7 +287,7 @@ fn add_slider<'a>(
                 at: None,
                 about: None,
                 length: radius.as_ref(),
-                length_word: "radius",
+                length_word: RADIUS,
                 masses: &[],
                 inertias: &[],
             });
