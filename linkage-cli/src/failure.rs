@@ -4,7 +4,7 @@ use std::fmt::{self, Display, Formatter};
 use std::io::{self, ErrorKind};
 use std::path::Path;
 
-use linkage_compiler::{short_words, shortened};
+use linkage_compiler::{nearest, short_words, shortened};
 use linkage_engine::SourceError;
 use linkage_runtime::AssemblyError;
 
@@ -62,18 +62,26 @@ impl Display for Failure {
     }
 }
 
-/// The names that there are instead of an unknown one, and which of them looks like it.
+/// A shorter name is near to too many others.
+const LONG_NAME: usize = 4;
+
+/// Returns the names that there are instead of an unknown one, and the one that looks like it or is
+/// spelt nearly as it.
 pub(crate) fn known_names<'a>(name: &str, words: impl IntoIterator<Item = &'a str>) -> String {
     let words: Vec<&str> = words.into_iter().collect();
     let alike = words.iter().find(|word| look_alike(name, word));
-    let help = alike.map_or_else(String::new, |word| {
-        format!(
+    let help = match alike {
+        Some(word) => format!(
             "\nhelp: `{}` looks like `{}`, and is another name: {}",
             shortened(name),
             shortened(word),
             letters(name, word)
-        )
-    });
+        ),
+        None => match nearest(name, words.iter().copied()).filter(|_| name.len() >= LONG_NAME) {
+            Some(word) => format!("\nhelp: did you mean `{}`?", shortened(word)),
+            None => String::new(),
+        },
+    };
     listed(words) + &help
 }
 

@@ -2,7 +2,7 @@
 
 use linkage_core::range_check::{self, significant};
 
-use crate::model::{Dimension, Mechanism, Type};
+use crate::model::{Dimension, LinkLoop, Mechanism, Type};
 
 /// Prints quantities of one mechanism.
 pub(crate) struct MessageFormat<'m> {
@@ -158,6 +158,26 @@ fn without_noise(components: &[f64]) -> impl Iterator<Item = f64> {
 /// `loop 2`, `loops 2 and 3`, `loops 1, 2 and 3`
 pub(crate) fn loop_list<'a>(loops: impl IntoIterator<Item = &'a usize>) -> String {
     range_check::loop_list(&loop_numbers(loops))
+}
+
+/// Returns the joints and links that loops stand for, ``joint `c` of `rocker` ``; the numbers of
+/// loops as they are written.
+pub(crate) fn loop_names<'a>(
+    mechanism: &Mechanism,
+    loops: impl IntoIterator<Item = &'a usize>,
+) -> String {
+    let numbers = loop_numbers(loops);
+    let linked = numbers
+        .iter()
+        .map(|number| mechanism.loops[number - 1].of.as_ref());
+    match linked.collect::<Option<Vec<&LinkLoop>>>() {
+        Some(linked) if !linked.is_empty() => {
+            let mut names: Vec<String> = linked.iter().map(ToString::to_string).collect();
+            names.dedup();
+            range_check::listed(&names)
+        }
+        _ => range_check::loop_list(&numbers),
+    }
 }
 
 /// The numbers of loops as they are printed: the first loop of the mechanism is 1.

@@ -28,6 +28,7 @@ pub(crate) struct Document {
     pub(crate) slots: Vec<Slot>,
     pub(crate) gears: Vec<GearPair>,
     pub(crate) inputs: Vec<Input>,
+    pub(crate) loads: Vec<PlacedLoad>,
     /// Facts for the comments of the text.
     pub(crate) remarks: Vec<String>,
     /// Everything that was not taken, or that the user should confirm.
@@ -96,6 +97,24 @@ pub(crate) struct Mass {
     pub(crate) mass: String,
     pub(crate) inertia: Option<String>,
     pub(crate) centre: usize,
+}
+
+/// A force of constant size.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Load {
+    /// Its components in the drawing.
+    pub(crate) vector: [f64; 2],
+    pub(crate) unit: &'static str,
+    /// True if it turns with its link.
+    pub(crate) turns: bool,
+}
+
+/// A force on a link, and the joint at its place of application.
+#[derive(Clone, Debug)]
+pub(crate) struct PlacedLoad {
+    pub(crate) link: usize,
+    pub(crate) joint: usize,
+    pub(crate) load: Load,
 }
 
 /// A pin that slides on a link.
@@ -173,6 +192,7 @@ impl Document {
             slots: Vec::new(),
             gears: Vec::new(),
             inputs: Vec::new(),
+            loads: Vec::new(),
             remarks: Vec::new(),
             warnings: Vec::new(),
         }
@@ -203,6 +223,24 @@ impl Document {
             ..Link::default()
         });
         self.links.len() - 1
+    }
+
+    /// Adds a force on a link at a point of the drawing. A force on the fixed link has no effect.
+    pub(crate) fn add_load(&mut self, name: &str, link: usize, point: [f64; 2], load: Load) {
+        if link == FRAME {
+            let name = crate::names::shown(name);
+            self.warnings
+                .push(format!("the force `{name}` on the fixed link is left out"));
+            return;
+        }
+        let joints = &self.links[link].joints;
+        let here = joints
+            .iter()
+            .copied()
+            .find(|joint| self.joints[*joint].position == point);
+        let joint = here.unwrap_or_else(|| self.add_derived(format!("place_of_{name}"), point));
+        self.attach(joint, link);
+        self.loads.push(PlacedLoad { link, joint, load });
     }
 
     /// Adds a joint to a link unless it is there.

@@ -1,15 +1,26 @@
 //! Addresses of PMKS+ pages: the query has the whole drawing.
 //!
 //! Numbers are whole thousandths of the length unit, inch, centimetre or metre, in base 64, so that
-//! a drawing in metres is rounded to 1 mm. Newer pages correct single numbers in a tail.
+//! a drawing in metres is rounded to 1 mm. Newer pages correct single numbers in a tail. The newest
+//! ones share documents of bodies, `pmks2:...`, and a rewritten page shares `data=...`.
 
 use crate::document::Document;
 use crate::error::ImportError;
 
+mod body_conversion;
+mod body_document;
+mod compressed;
 mod conversion;
 mod converted;
+mod corrections;
 mod cylinders;
+mod drawn_bodies;
+mod envelope;
+mod groups;
+mod masses;
+mod page_drawing;
 mod payload;
+mod pounds;
 mod record;
 
 /// The characters of checks: the digits of numbers without the last two.
@@ -25,6 +36,12 @@ pub(crate) fn read(content: &[u8], name: &str) -> Result<Document, ImportError> 
         String::from_utf8_lossy(content).into_owned()
     };
     let query = query(&text)?;
+    if query.starts_with(envelope::PREFIX) {
+        return drawn_bodies::read(&query);
+    }
+    if let Some(packed) = query.strip_prefix(compressed::PREFIX) {
+        return compressed::read(packed);
+    }
     let drawing = payload::read(checked(&query)?)?;
     converted::document(drawing)
 }
@@ -47,11 +64,6 @@ fn query(text: &str) -> Result<String, ImportError> {
         return Err(ImportError::new(
             "the address has no query\nhelp: give the whole address in quotes, from the \
              button that shares the drawing",
-        ));
-    }
-    if query.starts_with("pmks2:") {
-        return Err(ImportError::new(
-            "the address has a document of bodies (`pmks2:`), which is not read yet",
         ));
     }
     decoded(query)

@@ -15,6 +15,7 @@ mod planar;
 mod rod_bodies;
 mod sdf;
 mod spatial;
+mod spatial_bodies;
 mod urdf;
 mod wording;
 

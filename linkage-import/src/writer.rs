@@ -35,6 +35,7 @@ pub(crate) fn text(document: &mut Document, name: &str, file: &str) -> String {
     parts::links(document, &spelling, &drives, &mut text);
     parts::slots(document, &spelling, &drives, &mut text);
     parts::gears(document, &spelling, &mut text);
+    parts::loads(document, &spelling, &drives, &mut text);
     text += "}\n";
     functions(document, &spelling, &drives, name, &mut text);
     text

@@ -123,7 +123,8 @@ fn an_argument_goes_to_the_mechanisms_that_take_it() {
     let said = refused(&folder, &["page", "two.mech", "--at", "laod=1kN"], 1);
     assert_eq!(
         said,
-        "error: no function of `Press` and `Door` takes `laod`; they take `load`, `omega`, `phi`, `psi` and `wind`\n"
+        "error: no function of `Press` and `Door` takes `laod`; they take `load`, `omega`, `phi`, `psi` and `wind`\n\
+         help: did you mean `load`?\n"
     );
     let said = refused(&folder, &["page", "two.mech", "--at", "psi=10deg"], 1);
     assert!(

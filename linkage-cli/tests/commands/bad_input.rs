@@ -27,7 +27,8 @@ fn bad_input_is_told_in_one_message() {
         ),
         (
             refused(&folder, &["table", "own.mech", "strike"], 1),
-            "error: there is no function `strike` in `own.mech`; there is `stroke`, `accuracy` and `shape`\n",
+            "error: there is no function `strike` in `own.mech`; there is `stroke`, `accuracy` and `shape`\n\
+             help: did you mean `stroke`?\n",
         ),
         (
             table(&["--set", "crank=300mm"]),
@@ -35,7 +36,8 @@ fn bad_input_is_told_in_one_message() {
         ),
         (
             table(&["--set", "crnak=30mm"]),
-            "error: there is no dimension `crnak` in SliderCrank; there is `crank`, `rod` and `offset`\n",
+            "error: there is no dimension `crnak` in SliderCrank; there is `crank`, `rod` and `offset`\n\
+             help: did you mean `crank`?\n",
         ),
         (
             table(&["--set", "crank=30"]),

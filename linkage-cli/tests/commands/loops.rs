@@ -73,7 +73,32 @@ fn loops_that_cannot_be_solved_are_shown() {
     let output = linkage(&folder, &["loops", "a.mech"]);
     assert_eq!(output.status.code(), Some(1));
     let told = String::from_utf8_lossy(&output.stderr).into_owned();
-    assert!(told.contains("`rod.angle` is in no loop"), "{told}");
+    assert!(told.contains("`rod` still moves"), "{told}");
     let shown = String::from_utf8_lossy(&output.stdout).into_owned();
     assert!(shown.contains("unknown rod.angle = "), "{shown}");
+}
+
+#[test]
+fn misspelt_dimensions_of_links_are_recognised() {
+    let folder = folder("misspelt_links");
+    let text = "struct A {
+        unit mm;
+        input phi = 90deg;
+        joint a = (0mm, 0mm), b = (0mm, 20mm), c = (50mm, 60mm), d = (50mm, 0mm);
+        link frame: a, d;
+        link crank: a, b at phi;
+        link coupler: b, c;
+        link rocker: d, c;
+    }
+    impl A { fn f(phi) -> F { c } }";
+    fs::write(folder.join("a.mech"), text).expect("it can be written");
+    for misspelt in ["couppler.length", "coupler.lenght"] {
+        let set = format!("{misspelt}=70mm");
+        let output = linkage(&folder, &["table", "a.mech", "f", "--set", &set]);
+        let told = String::from_utf8_lossy(&output.stderr).into_owned();
+        assert!(
+            told.ends_with("help: did you mean `coupler.length`?\n"),
+            "{told}"
+        );
+    }
 }

@@ -67,7 +67,8 @@ fn parts_are_set_tabulated_and_analysed() {
     );
     assert_eq!(
         said,
-        "error: there is no dimension `eye.cranc` in Machine; there is `eye.crank` and `eye.rod`\n"
+        "error: there is no dimension `eye.cranc` in Machine; there is `eye.crank` and `eye.rod`\n\
+         help: did you mean `eye.crank`?\n"
     );
 
     // What belongs to the hook has no effect, and no column.

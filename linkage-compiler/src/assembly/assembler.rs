@@ -8,7 +8,7 @@ use crate::message_format::MessageFormat;
 use crate::solve::Solved;
 
 use super::closed_part::InnerPart;
-use super::refused_range::RefusedRange;
+use super::refused_range::{FoundBox, RefusedRange};
 
 /// A position with a smaller margin is taken for a dead point.
 pub(super) const SINGULAR: f64 = 1e-6;
@@ -53,9 +53,18 @@ impl<'m> Assembly<'_, 'm> {
     }
 
     /// Goes on within a part of the declared ranges that works, and keeps the first refusal.
-    pub(super) fn work_within(&mut self, narrower: Nominal, refused: RefusedRange) {
+    pub(super) fn work_within(
+        &mut self,
+        narrower: Nominal,
+        refused: RefusedRange,
+        found: FoundBox,
+    ) {
         *self.nominal = narrower;
-        self.refused.get_or_insert(refused);
+        let first = self.refused.get_or_insert(refused);
+        match found {
+            FoundBox::Largest => {}
+            FoundBox::Halved => first.found = found,
+        }
     }
 
     pub(super) fn advance(

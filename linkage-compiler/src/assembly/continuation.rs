@@ -9,8 +9,7 @@ use crate::message_format::loop_list;
 use crate::solve::{Prepared, Solved};
 
 use super::assembler::Assembly;
-use super::refused_range::range_of;
-use super::refused_range::{OR_LENGTHS, RefusedRange};
+use super::refused_range::{FoundBox, OR_LENGTHS, RefusedRange, range_of};
 
 /// A range may end at a dead point: the rest of the way does not count.
 const END: f64 = 1e-9;
@@ -135,8 +134,9 @@ fn beside_dead_point<'m>(
     RefusedRange {
         origins: [origin; 2],
         fact,
-        narrower: "move the reference away from the dead point, or shorten the ranges",
-        otherwise: String::new(),
+        narrower: "shorten the ranges",
+        otherwise: ", or move the reference away from the dead point".to_owned(),
+        found: FoundBox::Largest,
     }
 }
 
@@ -171,6 +171,7 @@ fn leaves_out<'m>(
         fact,
         narrower: "shorten the ranges",
         otherwise: String::new(),
+        found: FoundBox::Largest,
     }
 }
 
@@ -203,5 +204,6 @@ pub(super) fn apart<'m>(
         fact,
         narrower: "restrict the range",
         otherwise: OR_LENGTHS.to_owned(),
+        found: FoundBox::Largest,
     }
 }

@@ -9,7 +9,7 @@ use crate::solve::{Prepared, Solved};
 
 use super::assembler::Assembly;
 use super::estimates::Position;
-use super::refused_range::RangeSurvey;
+use super::refused_range::{FoundBox, RangeSurvey, shrunk};
 use super::{continuation, estimates, unfollowed};
 
 /// A part of a range ends so far before a turning point, as a share of the range: a table reaches
@@ -25,6 +25,10 @@ pub(super) struct Candidate {
 /// The least determinants in ranges that are narrower than declared, as shares of that at the
 /// reference: where a grid does not serve the first ranges, it may do so farther from dead points.
 const LEAST: [f64; 3] = [0.1, 0.25, 0.5];
+
+/// The number of times that ranges are halved: to a sixteenth, where a grid of several inputs has
+/// cells of less than a degree of a full turn.
+const HALVINGS: i32 = 4;
 
 /// Prepares a group whose state is known; false if that was not possible. Over ranges that are
 /// refused it is prepared as far as it goes, and the refusal is kept.
@@ -48,15 +52,15 @@ pub(super) fn prepare<'m>(
                 assembly.needs_slopes = true;
                 return false;
             }
-            let boxes =
-                narrower.get_or_insert_with(|| narrowed(assembly, prepared, state).into_iter());
-            let Some(narrower) = boxes.next() else {
+            let boxes = narrower
+                .get_or_insert_with(|| narrower_boxes(assembly, prepared, state).into_iter());
+            let Some((narrower, found)) = boxes.next() else {
                 let refused = refused.clone();
                 (*assembly.nominal, assembly.refused) = declared;
                 refused.report(assembly.algebra.mechanism, None, &mut assembly.reporter);
                 return false;
             };
-            assembly.work_within(narrower, refused.clone());
+            assembly.work_within(narrower, refused.clone(), found);
         }
         let start = start(assembly, prepared, state);
         if prepared.in_cells == Terms::Polynomials && !fits(assembly, prepared, &start) {
@@ -109,9 +113,28 @@ fn prepare_table<'m>(
     });
     let mut narrower = assembly.nominal.clone();
     narrower.ranges[input] = Some((low, high));
-    assembly.work_within(narrower, refused);
+    assembly.work_within(narrower, refused, FoundBox::Largest);
     assembly.machine.starts[prepared.number] = Some(PreparedTable::Table(part));
     true
+}
+
+/// Returns the mechanism with narrower ranges, the widest first: the boxes far enough from dead
+/// points, then ranges that are halved towards the reference. These serve where no dead point is
+/// near, and the states change too fast for the cells of a grid.
+fn narrower_boxes<'m>(
+    assembly: &Assembly<'_, 'm>,
+    prepared: &Prepared<'m>,
+    state: &[f64],
+) -> Vec<(Nominal, FoundBox)> {
+    let boxes = narrowed(assembly, prepared, state).into_iter();
+    let boxes = boxes.map(|narrower| (narrower, FoundBox::Largest));
+    let halved = (1..=HALVINGS).map(|count| {
+        let share = 0.5f64.powi(count);
+        let mechanism = assembly.algebra.mechanism;
+        let narrower = shrunk(mechanism, assembly.nominal, &prepared.inputs, share);
+        (narrower, FoundBox::Halved)
+    });
+    boxes.chain(halved).collect()
 }
 
 /// Returns the mechanism with the ranges of the largest boxes in which the determinant of a group

@@ -8,7 +8,7 @@ use crate::assembly::{at_state, coupled_state, estimates, refusal};
 use crate::message_format::loop_list;
 use crate::mobility::{Nearest, freedom, nearest};
 use crate::solve::{Prepared, Solved};
-use crate::structure::unsolved::OURS;
+use crate::structure::fault::OURS;
 
 use super::assembler::Assembly;
 use super::coupled_state::Candidate;

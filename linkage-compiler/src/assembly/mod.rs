@@ -13,6 +13,7 @@ mod continuation;
 mod coupled_state;
 mod dead_point;
 mod degenerate;
+mod drawn_length;
 mod estimates;
 mod follow;
 mod followed;

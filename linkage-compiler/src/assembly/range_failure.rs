@@ -13,7 +13,7 @@ use crate::model::Mechanism;
 
 use super::dead_point::DeadPoint;
 use super::ranges::{Break, Broken, GRID, Ranges};
-use super::refused_range::{OR_LENGTHS, RefusedRange, range_of};
+use super::refused_range::{FoundBox, OR_LENGTHS, RefusedRange, range_of};
 
 /// Positions between the reference and a change point at which angles are compared.
 const COMPARED: usize = 8;
@@ -133,6 +133,7 @@ impl<'m> Ranges<'_, 'm> {
             fact,
             narrower,
             otherwise,
+            found: FoundBox::Largest,
         }
     }
 
@@ -247,14 +248,25 @@ fn parallelogram(
         1 => "unknown",
         _ => "unknowns",
     };
+    let written = mechanism.loops[reaches.group.loops[0] - 1].of.is_none();
+    let help = match written {
+        true => format!(
+            "if it stays a parallelogram, write {} instead of the {instead} and leave {loops} out; else {}",
+            relations.join(" and "),
+            reaches.range(),
+        ),
+        false => format!(
+            "{}; if it stays a parallelogram, write it with loops, which `linkage loops FILE` prints, and {} instead of the {instead} and of {loops}",
+            reaches.range(),
+            relations.join(" and "),
+        ),
+    };
     format!(
         "the mechanism comes apart in this range: {loops} ({}) {is} a parallelogram, and at {} it reaches its change point, where all links lie in \
          line and it may go on as a crossed one; {}\n\
-         help: if it stays a parallelogram, write {} instead of the {instead} and leave {loops} out; else {}",
+         help: {help}",
         reaches.group.unknowns,
         words.inputs(&at.dead_point.inputs, &[at.input]),
         reaches.works(),
-        relations.join(" and "),
-        reaches.range(),
     )
 }

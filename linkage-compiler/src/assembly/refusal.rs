@@ -2,12 +2,13 @@
 
 use crate::assembly::degenerate;
 use crate::diagnostic::OriginId;
-use crate::message_format::loop_list;
+use crate::message_format::loop_names;
 use crate::model::Dimension;
 use crate::solve::Solved;
 use crate::structure::Form;
 
 use super::assembler::{Assembly, SINGULAR};
+use super::drawn_length::drawn_otherwise;
 use crate::checks;
 
 /// The advice for a part of a loop that has no value.
@@ -30,7 +31,7 @@ pub(super) enum Verdict {
 
 pub(super) fn refuse<'m>(assembly: &mut Assembly<'_, 'm>, solved: &Solved<'m>, verdict: Verdict) {
     let origin = assembly.algebra.mechanism.loops[solved.group.loops[0]].origin;
-    let loops = loop_list(&solved.group.loops);
+    let loops = loop_names(assembly.algebra.mechanism, &solved.group.loops);
     let unknowns = assembly.words.unknowns(&solved.group.unknowns);
     let position = assembly.words.at_reference(&assembly.nominal.inputs);
     if let Some((fact, help)) = degenerate::degenerate(assembly, solved) {
@@ -55,6 +56,24 @@ pub(super) fn refuse<'m>(assembly: &mut Assembly<'_, 'm>, solved: &Solved<'m>, v
     if let Some((part, fact)) = without_value {
         let fact = format!("{loops} ({unknowns}) cannot be solved{position}: {fact}");
         assembly.reporter.error_with_help(part, fact, WITHIN_RANGE);
+        return;
+    }
+    if let Verdict::Open(gap) = verdict
+        && let Some(length) = drawn_otherwise(
+            assembly.algebra.mechanism,
+            assembly.nominal,
+            &solved.group.loops,
+        )
+    {
+        let miss = assembly.words.gap(solved, gap);
+        let fact = format!(
+            "{loops} ({unknowns}) cannot close{position}: misses by {miss}; `{}` is {}, but drawn with {}",
+            length.name,
+            assembly.words.scalar(Dimension::LENGTH, length.given),
+            assembly.words.scalar(Dimension::LENGTH, length.drawn),
+        );
+        let help = "give a length with which the links reach each other, or leave it out: then it is that of the drawing";
+        assembly.reporter.error_with_help(length.origin, fact, help);
         return;
     }
     let (fact, help) = match verdict {

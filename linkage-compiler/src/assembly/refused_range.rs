@@ -26,6 +26,17 @@ pub(crate) struct RefusedRange {
     pub(super) narrower: &'static str,
     /// Other advice, with a comma in front if there is a first one.
     pub(super) otherwise: String,
+    /// The kind of the box that works, if one is known.
+    pub(super) found: FoundBox,
+}
+
+/// The kind of a box within declared ranges.
+#[derive(Clone, Copy, Debug)]
+pub(super) enum FoundBox {
+    /// The largest one, as far as the survey of the ranges shows.
+    Largest,
+    /// All ranges are halved towards the reference until the box works.
+    Halved,
 }
 
 impl RefusedRange {
@@ -41,12 +52,16 @@ impl RefusedRange {
             fact,
             narrower,
             otherwise,
+            found,
         } = self;
         let help = match works {
             Some(nominal) if narrower.is_empty() => {
-                format!("{otherwise}, or write {}", ranges(mechanism, nominal))
+                format!(
+                    "{otherwise}, or write {}",
+                    ranges(mechanism, nominal, found)
+                )
             }
-            Some(nominal) => format!("write {}{otherwise}", ranges(mechanism, nominal)),
+            Some(nominal) => format!("write {}{otherwise}", ranges(mechanism, nominal, found)),
             None => format!("{narrower}{otherwise}"),
         };
         let narrower = works.map_or_else(Vec::new, |nominal| narrower_ranges(mechanism, nominal));
@@ -93,14 +108,39 @@ fn narrower_ranges<'m>(mechanism: &'m Mechanism, nominal: &Nominal) -> Vec<Narro
 }
 
 /// `` `in 231mm..289mm` for `left` and `in 40deg..60deg` for `phi` ``
-fn ranges(mechanism: &Mechanism, nominal: &Nominal) -> String {
+fn ranges(mechanism: &Mechanism, nominal: &Nominal, found: FoundBox) -> String {
     let each = narrower_ranges(mechanism, nominal).into_iter();
     let each = each.map(|range| format!("`in {}` for `{}`", range.text, range.input.name));
     let each: Vec<String> = each.collect();
-    match &each[..] {
-        [one] => format!("{one}, the largest range that works"),
-        several => format!("{}, the largest box that works", several.join(" and ")),
+    match (&each[..], found) {
+        ([one], FoundBox::Largest) => format!("{one}, the largest range that works"),
+        ([one], FoundBox::Halved) => format!("{one}, a range that works"),
+        (several, FoundBox::Largest) => {
+            format!("{}, the largest box that works", several.join(" and "))
+        }
+        (several, FoundBox::Halved) => format!("{}, a box that works", several.join(" and ")),
     }
+}
+
+/// Returns the same mechanism with this share of the ranges of some inputs on both sides of the
+/// reference, rounded inwards.
+pub(super) fn shrunk(
+    mechanism: &Mechanism,
+    nominal: &Nominal,
+    inputs: &[usize],
+    share: f64,
+) -> Nominal {
+    let mut narrower = nominal.clone();
+    for &input in inputs {
+        if let Some((low, high)) = nominal.ranges[input] {
+            let at = nominal.inputs[input];
+            let reach = [low, high].map(|end| at + share * (end - at));
+            let is_angle = mechanism.inputs[input].dimension.half_lengths == 0;
+            let (ends, _) = rounded_inwards(reach, at, [at, at], is_angle);
+            narrower.ranges[input] = Some(ends.into());
+        }
+    }
+    narrower
 }
 
 /// Nodes all over the ranges of some inputs, with a line through the reference along each.

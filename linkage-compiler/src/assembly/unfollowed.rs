@@ -4,11 +4,10 @@ use linkage_core::numeric::continuation::Refusal;
 
 use crate::message_format::loop_list;
 use crate::solve::{Prepared, Solved};
-use crate::structure::unsolved::OURS;
+use crate::structure::fault::OURS;
 
 use super::assembler::Assembly;
-use super::refused_range::range_of;
-use super::refused_range::{OR_LENGTHS, RefusedRange};
+use super::refused_range::{FoundBox, OR_LENGTHS, RefusedRange, range_of};
 
 /// Reports a group whose solution is singular at the reference inputs.
 pub(super) fn report_singular<'m>(
@@ -78,5 +77,6 @@ pub(super) fn refused<'m>(
         fact,
         narrower,
         otherwise: otherwise.to_owned(),
+        found: FoundBox::Largest,
     }
 }

@@ -29,9 +29,21 @@ pub(crate) fn warn_of_unused(mechanism: &Mechanism, nominal: &Nominal, reporter:
         } = parameter;
         let values = &nominal.parameters[first_scalar.0..][..tolerances.len()];
         let value = MessageFormat::new(mechanism).value(ty, values);
-        let fact =
-            format!("the parameter `{name} = {value}` is used by no loop, no body and no function");
-        let help = "remove it, or write `#[allow(unused)]` above it if it is to be a field only";
+        let links = mechanism.links.as_ref();
+        let (fact, help) = match links.and_then(|links| links.moved.get(name)) {
+            Some(joint) => (
+                format!(
+                    "the {joint} at {value} has no effect: no other joint and no function needs it"
+                ),
+                "this is right for the pivot of a link of one joint; otherwise name it in another link",
+            ),
+            None => (
+                format!(
+                    "the parameter `{name} = {value}` is used by no loop, no body and no function"
+                ),
+                "remove it, or write `#[allow(unused)]` above it if it is to be a field only",
+            ),
+        };
         reporter.warning_with_help(parameter.origin, fact, help);
     }
 }

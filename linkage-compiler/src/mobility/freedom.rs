@@ -2,7 +2,7 @@
 
 use linkage_symbolic::Graph;
 
-use crate::message_format::loop_list;
+use crate::message_format::loop_names;
 use crate::mobility::loops::Loops;
 use crate::mobility::position::{LoopRows, Position};
 use crate::mobility::{line, motion, null_space, rows};
@@ -44,12 +44,19 @@ fn dependent(rows: &LoopRows, last: f64) -> Vec<Vec<usize>> {
 fn dependence(position: &Position<'_, '_>, rows: &LoopRows, dependent: &[usize]) -> Option<String> {
     let loops: Vec<usize> = dependent.iter().map(|&k| rows.loops[k]).collect();
     if let Some(shape) = line::shape_of_links(position, rows, dependent) {
-        return Some(format!("the links of {} {shape}", loop_list(&loops)));
+        let linked = loops
+            .iter()
+            .all(|&k| position.mechanism.loops[k].of.is_some());
+        let links = if linked { "" } else { "the links of " };
+        return Some(format!(
+            "{links}{} {shape}",
+            loop_names(position.mechanism, &loops)
+        ));
     }
     (loops.len() > 1).then(|| {
         format!(
             "{} do not hold independently of each other",
-            loop_list(&loops)
+            loop_names(position.mechanism, &loops)
         )
     })
 }

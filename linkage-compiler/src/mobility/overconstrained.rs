@@ -2,7 +2,7 @@
 
 use linkage_symbolic::Graph;
 
-use crate::message_format::loop_list;
+use crate::message_format::loop_names;
 use crate::mobility::loops::Loops;
 use crate::mobility::null_space::{ZERO, null_vectors, transposed, used};
 use crate::mobility::position::{LoopRows, Position};
@@ -65,7 +65,8 @@ fn dependence_of(
 ) -> String {
     let others = set.iter().filter(|&&other| other != row);
     let others: Vec<usize> = others.map(|&other| rows.loops[other]).collect();
-    let named = loop_list([&rows.loops[row]]);
+    let mechanism = position.mechanism;
+    let named = loop_names(mechanism, [&rows.loops[row]]);
     let shape = line::shape_of_links(position, rows, set);
     let because = shape.map_or_else(String::new, |shape| format!(", since their links {shape}"));
     if others.is_empty() {
@@ -73,7 +74,7 @@ fn dependence_of(
     } else {
         format!(
             "{named} holds nothing that {} do not hold{because}",
-            loop_list(&others)
+            loop_names(mechanism, &others)
         )
     }
 }

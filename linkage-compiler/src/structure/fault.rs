@@ -9,3 +9,6 @@ pub(crate) struct StructureFault {
     pub(crate) origin: OriginId,
     pub(crate) text: String,
 }
+
+/// The text that marks every limit of the compiler.
+pub(crate) const OURS: &str = "this is a limit of linkage, not a mistake of yours";

@@ -2,11 +2,12 @@
 //! whatever unknowns and loops of its own it is made of.
 
 use crate::algebra::{Names, Nominal};
-use crate::message_format::{MessageFormat, loop_list};
+use crate::message_format::{MessageFormat, loop_names};
 use crate::mobility::{Position, freedom, overconstrained};
 use crate::model::{Mechanism, unknown_frames};
 use crate::structure::equations::{Coordinate, Equation};
 use crate::structure::fault::StructureFault;
+use crate::structure::link_faults::link_count;
 use crate::structure::matching::Matching;
 use crate::structure::{matching, naming, redundant};
 
@@ -96,9 +97,14 @@ pub(crate) fn frame_faults<'m>(
         });
         let surplus: usize = surplus.sum();
         if !open.is_empty() {
-            let (open_count, count) = (open.len(), coordinates.len());
+            let count = open.len();
             found_faults.faults.push(open_frame(
-                names, nominal, &found, open_count, count, equations,
+                names,
+                nominal,
+                &found,
+                count,
+                coordinates,
+                equations,
             ));
             let undetermined = |&k: &usize| matching::undetermined_with(k, incidence, matching).0;
             found_faults
@@ -119,7 +125,7 @@ fn open_frame<'m>(
     nominal: &Nominal,
     found: &UnknownFrame,
     open: usize,
-    coordinates: usize,
+    all: &[Coordinate],
     equations: &[Equation<'m>],
 ) -> StructureFault {
     let UnknownFrame {
@@ -135,11 +141,11 @@ fn open_frame<'m>(
     let example = example.replace("BODY", name);
     let by = match &loops[..] {
         [] => "no loop mentions it".to_owned(),
-        [_] => format!("{} holds {held} of them", loop_list(loops)),
-        _ => format!("{} hold {held} of them", loop_list(loops)),
+        [_] => format!("{} holds {held} of them", loop_names(mechanism, loops)),
+        _ => format!("{} hold {held} of them", loop_names(mechanism, loops)),
     };
     let rows: usize = equations.iter().map(|e| e.rows.len()).sum();
-    let mobility = (inputs + coordinates).saturating_sub(rows);
+    let mobility = (inputs + all.len()).saturating_sub(rows);
     // Without a loop it moves in every way.
     let motion = if loops.is_empty() {
         None
@@ -149,6 +155,23 @@ fn open_frame<'m>(
     let motion = motion.map_or_else(String::new, |motion| {
         format!("; where the estimates are, {motion}")
     });
+    if let Some(links) = link_count(mechanism, equations, all) {
+        let text = format!(
+            "more motions than inputs: the body `{name}` has {freedoms} freedoms, and {}; {}{motion}\n\
+             help: hold it by {}, `link NAME: P, Q;`, from a joint of `{name}` to a joint of another link",
+            if loops.is_empty() {
+                "no rod holds it"
+            } else {
+                &by
+            },
+            links.mobility(),
+            naming::counted(open, "further rod"),
+        );
+        return StructureFault {
+            origin: mechanism.unknowns[unknowns[0]].origin,
+            text,
+        };
+    }
     let text = format!(
         "more unknowns than equations: the frame `{name}` has {freedoms} freedoms, and {by}; mobility {mobility}, driven \
              inputs {inputs}{motion}\n\
@@ -185,11 +208,26 @@ fn frame_held_twice<'m>(
     let all: usize = equations.iter().map(|e| e.rows.len()).sum();
     let mobility = (inputs + coordinates.len()) as isize - all as isize;
     let too_many = too_many(names, nominal, surplus, equations, coordinates);
+    if let Some(links) = link_count(mechanism, equations, coordinates) {
+        let text = format!(
+            "more joints than motions: the body `{name}` has {freedoms} freedoms, and {} hold{} more than these; {}{}\n\
+             help: {}",
+            loop_names(mechanism, loops),
+            if loops.len() == 1 { "s" } else { "" },
+            links.mobility(),
+            too_many.fact,
+            too_many.help,
+        );
+        return Some(StructureFault {
+            origin: mechanism.loops[*last].origin,
+            text,
+        });
+    }
     let text = format!(
         "more equations than unknowns: the frame `{name}` has {freedoms} freedoms, and {} {} {rows} equations about it, {surplus} \
              too many (mobility {mobility}, driven inputs {inputs}){}\n\
              help: {}",
-        loop_list(loops),
+        loop_names(mechanism, loops),
         if loops.len() == 1 { "has" } else { "have" },
         too_many.fact,
         too_many.help,
@@ -228,8 +266,16 @@ fn too_many<'m>(
         1 => ["it", "depends", "it", "it"],
         _ => ["they", "depend", "them", "each"],
     };
-    let spare = loop_list(&found.spare);
+    let spare = loop_names(names.mechanism, &found.spare);
+    let linked = spare_of_links(names.mechanism, &found.spare);
     let help = match &closed {
+        _ if linked && enough => {
+            format!("leave {spare} out, or a link on which {they} {depend}; or do not drive a link")
+        }
+        _ if linked => {
+            "leave out links that depend on others, and add some that hold what can still move"
+                .to_owned()
+        }
         Some(_) if enough => format!(
             "write `redundant` at the end of {spare}, to have it checked whether {they} follow{} from the others; or leave {them} out",
             if found.spare.len() == 1 { "s" } else { "" }
@@ -244,6 +290,13 @@ fn too_many<'m>(
         fact: format!("{all}{}{motion}", found.dependences),
         help,
     }
+}
+
+/// Returns true if all these loops stand for joints and links.
+fn spare_of_links(mechanism: &Mechanism, loops: &[usize]) -> bool {
+    loops
+        .iter()
+        .all(|&index| mechanism.loops[index].of.is_some())
 }
 
 /// Runs a check of the loops where the unknowns have these values; nothing if one has no estimate.

@@ -6,6 +6,7 @@ use crate::model::Mechanism;
 use crate::structure::equations::{Coordinate, Equation};
 use crate::structure::fault::StructureFault;
 use crate::structure::frames::FrameFaults;
+use crate::structure::link_faults::link_count;
 use crate::structure::matching::Matching;
 use crate::structure::nearly_redundant::nearly_redundant;
 use crate::structure::redundant::RedundantLoops;
@@ -119,6 +120,9 @@ fn undetermined_unknowns<'m>(
         ));
     }
     if sharing.is_empty() {
+        if let Some(links) = link_count(names.mechanism, equations, coordinates) {
+            return fault(links.moving(&[coordinate]));
+        }
         return fault(format!(
             "unknown `{name}` is in no loop\n\
              help: add a `loop` that contains it, or write it as `let` or `input`"
@@ -126,12 +130,16 @@ fn undetermined_unknowns<'m>(
     }
     let rows: usize = sharing.iter().map(|&k| equations[k].rows.len()).sum();
     let surplus = undetermined.len() - rows;
+    let open: Vec<&Coordinate> = undetermined.iter().map(|&k| &coordinates[k]).collect();
+    if let Some(links) = link_count(names.mechanism, equations, coordinates) {
+        return fault(links.moving(&open));
+    }
     let inputs = names.mechanism.inputs.len();
     fault(format!(
         "more unknowns than equations: {} ({}) but {} from {}; mobility {}, driven inputs {inputs}\n\
              help: add a loop, or make {}",
         naming::counted(undetermined.len(), "unknown"),
-        naming::unknown_names(names, undetermined.iter().map(|&k| &coordinates[k])),
+        naming::unknown_names(names, open.into_iter()),
         naming::counted(rows, "equation"),
         loop_list(sharing.iter().flat_map(|&k| &equations[k].loops)),
         inputs + surplus,
@@ -156,7 +164,17 @@ fn surplus_equations<'m>(
     let number = equation.loops[0];
     let origin = names.mechanism.loops[number].origin;
     let loops = loop_list(&equation.loops);
-    let text = if contained.is_empty() {
+    let text = if let Some(links) = link_count(names.mechanism, equations, coordinates) {
+        let moved: Vec<&Coordinate> = contained.iter().map(|&k| &coordinates[k]).collect();
+        let repeated =
+            redundant::redundant_loops(names, nominal, equation, surplus, equations, coordinates)
+                .or_else(|| nearly_redundant(names, nominal, equation, equations, coordinates));
+        let RedundantLoops { fact, help } = repeated.unwrap_or_else(|| RedundantLoops {
+            fact: String::new(),
+            help: links.leave_out(equation),
+        });
+        format!("{}\nhelp: {help}", links.held(equation, &moved, &fact))
+    } else if contained.is_empty() {
         format!(
             "{loops} contains no unknown\nhelp: a loop closes by unknowns; add an `unknown` to it or remove it"
         )

@@ -17,7 +17,7 @@
 //!    `body`, `body_circle`, chosen by `eliminate`; `cancellation`, `set_unknowns`, `combination` and
 //!    `separation`, which make a coupled set fall apart, and `triangle` and `crossing` above them;
 //! 6. messages: `naming`, `closest_approach`, `simultaneous`, `redundant`, `frames`,
-//!    `mobility_check`, `unsolved`;
+//!    `link_faults`, `mobility_check`, `unsolved`;
 //! 7. `decompose`, the entry point.
 
 pub(crate) mod body;
@@ -40,6 +40,7 @@ pub(crate) mod fault;
 pub(crate) mod form;
 pub(crate) mod frames;
 pub(crate) mod group;
+pub(crate) mod link_faults;
 pub(crate) mod matching;
 pub(crate) mod mobility_check;
 pub(crate) mod naming;

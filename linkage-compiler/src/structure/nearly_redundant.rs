@@ -7,7 +7,9 @@ use linkage_symbolic::{Ex, substitute};
 use crate::algebra::names::Names;
 use crate::algebra::{Bound, Nominal};
 use crate::message_format::loop_list;
+use crate::model::Mechanism;
 use crate::structure::equations::{Coordinate, CoordinateKind, Equation};
+use crate::structure::link_faults;
 use crate::structure::redundant::{
     RedundantLoops, coordinates_of_one, positions, simultaneous_loops,
 };
@@ -81,6 +83,7 @@ pub(crate) fn nearly_redundant<'m>(
     }
     let unit = names.mechanism.unit.name();
     let loops = loop_list(&surplus.loops);
+    let linked = nearly_fitting_link(names.mechanism, &surplus.loops, length.as_ref(), unit);
     let help = match length {
         Some((length, unknown)) => format!(
             "if this strut is to follow from the others, leave `{unknown}` and {loops} out, or write the distance of its ends \
@@ -97,11 +100,36 @@ pub(crate) fn nearly_redundant<'m>(
         ),
     };
     Some(RedundantLoops {
-        fact: format!(
-            "; with these dimensions it misses the other loops by no more than {most:.1e}{unit}"
-        ),
-        help,
+        fact: match linked {
+            Some(_) => {
+                format!("; with these dimensions it misses by no more than {most:.1e}{unit}")
+            }
+            None => format!(
+                "; with these dimensions it misses the other loops by no more than {most:.1e}{unit}"
+            ),
+        },
+        help: linked.unwrap_or(help),
     })
+}
+
+/// Returns the advice for a link that nearly repeats others; `None` for a loop as it is written.
+fn nearly_fitting_link(
+    mechanism: &Mechanism,
+    loops: &[usize],
+    length: Option<&(f64, String)>,
+    unit: &str,
+) -> Option<String> {
+    let link = link_faults::link_to_leave_out(mechanism, loops)?;
+    let distance = link_faults::distance_of_ends(mechanism, loops);
+    let check = match (distance, length) {
+        (Some(distance), Some((length, _))) => {
+            format!(", or write `loop {distance} = {length}{unit} redundant;` in its place")
+        }
+        _ => String::new(),
+    };
+    Some(format!(
+        "if it is to follow from the others, leave {link} out{check}; if it is to hold something, leave out another link, or an input"
+    ))
 }
 
 /// Returns the length that a strut needs, and the name of its angle, if the loop has no other

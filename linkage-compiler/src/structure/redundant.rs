@@ -7,9 +7,10 @@ use linkage_core::numeric::rank::are_independent;
 use crate::algebra::names::Names;
 use crate::algebra::{ALIKE, Bound, ConstantRatio, Nominal, constant_ratio};
 use crate::message_format::loop_list;
-use crate::model::{Dimension, Mechanism};
+use crate::model::{COMPONENTS, Dimension, Mechanism};
 use crate::structure::equations;
 use crate::structure::equations::{Coordinate, CoordinateKind, Equation};
+use crate::structure::link_faults;
 use crate::structure::simultaneous::{ACROSS, SimultaneousLoops};
 
 /// Positions besides the reference, as shares of a small motion to both sides.
@@ -46,12 +47,15 @@ pub(crate) fn redundant_loops<'m>(
         ..nominal.clone()
     };
     let slopes = together.slopes(&found[0], &at);
+    let rows: usize = equations.iter().map(|e| e.rows.len()).sum();
+    let in_all = rows.saturating_sub(coordinates.len());
     // The loop itself first; another one where its equations find something better than those that
     // remain.
     let others = equations.iter().filter(|e| e.loops != surplus.loops);
     let spare = std::iter::once(surplus).chain(others).find_map(|left_out| {
         let determined = coordinates_of_one(names, left_out, equations, coordinates);
-        let fits = left_out.rows.len() == determined.len() + too_many;
+        let alone = left_out.rows.len().checked_sub(determined.len());
+        let fits = alone.is_some_and(|rows| (too_many..=in_all).contains(&rows));
         let even: Option<Vec<&ConstantRatio>> = determined
             .iter()
             .map(|&k| {
@@ -64,28 +68,90 @@ pub(crate) fn redundant_loops<'m>(
         Some((left_out, even))
     });
     let mut like = "";
+    let spare_loops = spare
+        .as_ref()
+        .map_or(&surplus.loops, |(left_out, _)| &left_out.loops);
+    let link_help = help_for_link(names.mechanism, nominal, spare_loops);
     let help = match spare {
         Some((left_out, even)) => {
             let loops = loop_list(&left_out.loops);
             if !even.is_empty() {
                 like = ", as a further crank on one rod does that stays parallel";
             }
-            match lets_for(names.mechanism, &even) {
+            match lets_for(names.mechanism, &even).filter(|_| link_help.is_none()) {
                 Some(lets) => format!("write {lets} and leave {loops} out"),
                 None => format!("leave {loops} out, or write `redundant` at its end"),
             }
         }
-        None => format!(
-            "write of {} only what the others do not say, such as one component of its vectors",
-            loop_list(&surplus.loops)
-        ),
+        None => help_for_components(&slopes, surplus, equations),
     };
     Some(RedundantLoops {
-        fact: format!(
-            "; with these dimensions it closes all the same and repeats the other loops{like}"
-        ),
-        help,
+        fact: match link_help {
+            Some(_) => format!("; with these dimensions it fits and holds nothing{like}"),
+            None => format!(
+                "; with these dimensions it closes all the same and repeats the other loops{like}"
+            ),
+        },
+        help: link_help.unwrap_or(help),
     })
+}
+
+/// Returns the advice for a link, slider or joint that repeats others; `None` for a loop as it is
+/// written.
+fn help_for_link(mechanism: &Mechanism, nominal: &Nominal, loops: &[usize]) -> Option<String> {
+    let link = link_faults::link_to_leave_out(mechanism, loops)?;
+    let distance = link_faults::distance_of_ends(mechanism, loops);
+    let length = link_faults::length_of_link(mechanism, nominal, loops);
+    Some(match distance.zip(length) {
+        Some((distance, length)) => format!(
+            "leave {link} out, or write `loop {distance} = {length} redundant;` in its place, to have its fit checked"
+        ),
+        None => format!("leave {link} out"),
+    })
+}
+
+/// Returns the advice for a loop of which some components follow from the others: the components to
+/// keep, if one alone can be left out.
+fn help_for_components(slopes: &[Vec<f64>], surplus: &Equation, equations: &[Equation]) -> String {
+    let loops = loop_list(&surplus.loops);
+    let count = surplus.rows.len();
+    let mut components = COMPONENTS.into_iter().enumerate().take(count);
+    let spare = components.find(|(component, _)| {
+        count > 1 && determine_all_without(slopes, surplus, *component, equations)
+    });
+    let Some((spare, name)) = spare else {
+        return format!(
+            "write of {loops} only what the others do not say, such as one component of its vectors"
+        );
+    };
+    let kept = COMPONENTS.into_iter().enumerate().take(count);
+    let kept = kept.filter(|(component, _)| *component != spare);
+    let kept: Vec<String> = kept
+        .map(|(_, name)| format!("`loop (LEFT).{name} = (RIGHT).{name};`"))
+        .collect();
+    format!(
+        "write {} instead of {loops}: its {name} component follows from the others",
+        kept.join(" and ")
+    )
+}
+
+/// Returns true if the unknowns are determined without one component of a loop.
+fn determine_all_without(
+    slopes: &[Vec<f64>],
+    surplus: &Equation,
+    component: usize,
+    equations: &[Equation],
+) -> bool {
+    let rows = equations.iter().flat_map(|e| {
+        let is_surplus = e.loops == surplus.loops;
+        (0..e.rows.len()).map(move |row| !(is_surplus && row == component))
+    });
+    let stays: Vec<bool> = rows.collect();
+    let columns = slopes.iter().map(|column| {
+        let rows = column.iter().zip(&stays).filter(|(_, stays)| **stays);
+        rows.map(|(x, _)| *x).collect()
+    });
+    are_independent(&columns.collect::<Vec<Vec<f64>>>(), ACROSS)
 }
 
 /// The unknowns with all components where all loops close, if they do so wherever the inputs go.

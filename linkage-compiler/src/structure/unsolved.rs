@@ -7,16 +7,14 @@ use crate::algebra::names::Names;
 use crate::algebra::translate::Translate;
 use crate::algebra::{Value, scalar};
 use crate::diagnostic::OriginId;
-use crate::message_format::loop_list;
+use crate::message_format::loop_names;
 use crate::model::{Expr, Mechanism};
 use crate::structure::coupled::classify_coupled;
 use crate::structure::coupled::classify_coupled::MOST_CORE;
 use crate::structure::equations::{Coordinate, CoordinateKind, Equation};
-use crate::structure::fault::StructureFault;
+use crate::structure::fault::{OURS, StructureFault};
+use crate::structure::link_faults::coupled_wheels;
 use crate::structure::{equations, naming, polynomials};
-
-/// The text that marks every limit of the compiler.
-pub(crate) const OURS: &str = "this is a limit of linkage, not a mistake of yours";
 
 /// The terms that a method can solve.
 const MAY_STAND: &str = "an unknown angle may stand in `polar`, `dir`, `rotate`, `turn`, `sin`, `cos`, an unknown length may be \
@@ -28,14 +26,14 @@ pub(crate) fn unsolved_group<'m>(
     equations: &[Equation<'m>],
     coordinates: &[Coordinate],
 ) -> StructureFault {
-    let loops = loop_list(equations.iter().flat_map(|e| &e.loops));
+    let loops = loop_names(names.mechanism, equations.iter().flat_map(|e| &e.loops));
     let found = coordinates.iter().filter_map(|c| c.unknown);
     let eliminated = equations.iter().flat_map(|e| e.eliminated.iter().copied());
     let mut unknowns: Vec<usize> = found.chain(eliminated).collect();
     unknowns.sort_unstable();
     unknowns.dedup();
     let count: usize = unknowns.iter().map(|&k| names.components_of(k)).sum();
-    let unknown_names = naming::unknown_list(names.mechanism, unknowns);
+    let unknown_names = naming::unknown_list(names.mechanism, unknowns.clone());
     let rows: usize = equations.iter().map(|e| e.rows.len()).sum();
     let (subject, check) = match rows {
         0..=2 => (format!("no closed form for {unknown_names} in {loops}"), ""),
@@ -47,8 +45,11 @@ pub(crate) fn unsolved_group<'m>(
     let whole = names.mechanism.loops[equations[0].loops[0]].origin;
     let valued = angles_with_values(names, equations, coordinates);
     let body = a_body_by_angles(equations, coordinates);
-    let (origin, text) = if let Some((origin, why)) = worst_obstacle(names, equations, coordinates)
+    let (origin, text) = if let Some(text) =
+        coupled_wheels(names.mechanism, equations, &unknowns).filter(|_| rows > 2)
     {
+        (whole, text)
+    } else if let Some((origin, why)) = worst_obstacle(names, equations, coordinates) {
         let text = format!("{subject}: {why}{check}{body}");
         (origin.unwrap_or(whole), text)
     } else if !valued.is_empty() {
@@ -102,7 +103,7 @@ fn worst_obstacle<'m>(
             rows.into_iter()
                 .any(|row| obstacle(row, &symbols) == Some(found))
         });
-        let subject = loop_list(&equation.loops);
+        let subject = loop_names(names.mechanism, &equation.loops);
         let what = match (&term, &equation.loops[..]) {
             (Some(_), _) => format!("this term of {subject} has"),
             (None, [_]) => format!("{subject} has"),

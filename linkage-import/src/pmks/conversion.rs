@@ -7,7 +7,7 @@ use crate::error::ImportError;
 use crate::names::shown;
 use crate::number::plain;
 
-use super::payload::{Drawing, PageJoint};
+use super::page_drawing::{Drawing, PageJoint};
 
 /// A drawing with the indices of its parts in the document.
 pub(super) struct Assembly {

@@ -2,14 +2,15 @@
 
 use std::collections::BTreeMap;
 
-use crate::document::{Document, FRAME, Input, InputKind, LengthUnit, Mass, Slot, SlotPath};
+use crate::document::{Document, FRAME, Input, InputKind, LengthUnit, Load, Mass, Slot, SlotPath};
 use crate::error::ImportError;
 use crate::names::shown;
 use crate::number::plain;
 
 use super::conversion::Assembly;
 use super::cylinders;
-use super::payload::{Drawing, PageJoint, PageLink};
+use super::page_drawing::{Drawing, PageForce, PageJoint, PageLink};
+use super::pounds::{POUND, POUND_INCHES, converted};
 
 /// Half of a thousandth, the rounding of the page.
 const BAND: f64 = 0.0005;
@@ -42,14 +43,7 @@ pub(super) fn document(drawing: Drawing) -> Result<Document, ImportError> {
     }
     motors(&mut assembly);
     masses(&mut assembly);
-    for (id, link, size) in &assembly.drawing.forces {
-        assembly.document.warnings.push(format!(
-            "the force `{}` of {} on `{}` is left out",
-            shown(id),
-            plain(*size),
-            shown(link)
-        ));
-    }
+    forces(&mut assembly);
     Ok(assembly.document)
 }
 
@@ -254,11 +248,38 @@ fn masses(assembly: &mut Assembly) {
     }
 }
 
-/// A number without the noise of a conversion.
-fn converted(value: f64) -> String {
-    plain(format!("{value:.9}").parse().unwrap_or(value))
+/// Adds the forces: arrows that point to their place of application or away from it.
+fn forces(assembly: &mut Assembly) {
+    let unit = assembly.drawing.force_unit;
+    let all = std::mem::take(&mut assembly.drawing.forces);
+    for force in &all {
+        let PageForce {
+            id,
+            link,
+            start,
+            end,
+            size,
+            ..
+        } = force;
+        let arrow = [end[0] - start[0], end[1] - start[1]];
+        let length = arrow[0].hypot(arrow[1]);
+        let link_index = assembly.links.get(link).copied();
+        let (Some(link_index), Some(unit)) = (link_index.filter(|_| length > 0.0), unit) else {
+            assembly.document.warnings.push(format!(
+                "the force `{}` of {} on `{}` has no direction or link, and is left out",
+                shown(id),
+                plain(*size),
+                shown(link)
+            ));
+            continue;
+        };
+        let sign = if force.points_away { 1.0 } else { -1.0 };
+        let vector = arrow.map(|component| sign * size * component / length);
+        let load = Load {
+            vector,
+            unit,
+            turns: force.turns,
+        };
+        assembly.document.add_load(id, link_index, *start, load);
+    }
 }
-
-/// A pound in kilograms, and a pound times a square inch in kilograms times square centimetres.
-const POUND: f64 = 0.453_592_37;
-const POUND_INCHES: f64 = POUND * 2.54 * 2.54;

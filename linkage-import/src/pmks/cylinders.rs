@@ -5,7 +5,7 @@ use crate::error::ImportError;
 use crate::names::shown;
 
 use super::conversion::Assembly;
-use super::payload::PageJoint;
+use super::page_drawing::PageJoint;
 
 /// Replaces barrel and rod by a link between the mounts, whose length is the input. Returns false
 /// if the slide is no cylinder, or if its barrel or rod has more joints.

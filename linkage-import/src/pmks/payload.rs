@@ -4,59 +4,13 @@ use crate::document::{LengthUnit, MOST_JOINTS, MOST_LINKS};
 use crate::error::ImportError;
 use crate::names::shown;
 
+use super::corrections;
+use super::page_drawing::{Drawing, PageForce, PageJoint, PageLink};
 use super::record::{Record, digit, whole};
 
 /// The first characters of links: whether they are roots, and not parts of welded links.
 const ROOTS: &str = "YAMG0123";
 const PARTS: &str = "Namg4567";
-
-/// All that a payload has.
-#[derive(Default)]
-pub(super) struct Drawing {
-    pub(super) unit: Option<LengthUnit>,
-    /// Revolutions per minute of motors without their own, and their sense.
-    pub(super) speed: f64,
-    pub(super) is_clockwise: bool,
-    pub(super) joints: Vec<PageJoint>,
-    pub(super) links: Vec<PageLink>,
-    /// The names of forces with their links.
-    pub(super) forces: Vec<(String, String, f64)>,
-    /// True if numbers have corrections, so that all of them are those of the page.
-    pub(super) is_precise: bool,
-    pub(super) warnings: Vec<String>,
-}
-
-/// A joint: a pin, or a slide with its line.
-#[derive(Clone, Debug, Default)]
-pub(super) struct PageJoint {
-    pub(super) id: String,
-    pub(super) name: String,
-    pub(super) position: [f64; 2],
-    pub(super) angle: f64,
-    pub(super) is_slide: bool,
-    pub(super) is_input: bool,
-    pub(super) is_grounded: bool,
-    pub(super) is_welded: bool,
-    pub(super) is_sealed: bool,
-    /// The link with the slot and the two joints that the slot joins.
-    pub(super) carrier: Option<[String; 3]>,
-    pub(super) speed: f64,
-    pub(super) mass: f64,
-}
-
-/// A link or the block of a slide.
-#[derive(Clone, Debug, Default)]
-pub(super) struct PageLink {
-    pub(super) id: String,
-    pub(super) name: String,
-    pub(super) is_root: bool,
-    pub(super) is_block: bool,
-    pub(super) mass: f64,
-    pub(super) inertia: f64,
-    pub(super) centre: [f64; 2],
-    pub(super) joints: Vec<String>,
-    pub(super) parts: Vec<String>,
-}
 
 /// Reads all sections.
 pub(super) fn read(body: &str) -> Result<Drawing, ImportError> {
@@ -83,7 +37,7 @@ pub(super) fn read(body: &str) -> Result<Drawing, ImportError> {
     // Numbers of the tail have points.
     let rest: Vec<&str> = sections.collect();
     for entry in rest.join(".").split(',') {
-        tail(entry, &mut drawing)?;
+        corrections::read(entry, &mut drawing)?;
     }
     if drawing.joints.is_empty() {
         return Err(ImportError::new("the address has no joints"));
@@ -123,6 +77,11 @@ fn settings<'t>(
         Some('1') => Some(LengthUnit::Centimetre),
         Some('2') => Some(LengthUnit::Metre),
         _ => return Err(wrong(words)),
+    };
+    drawing.force_unit = match words.chars().nth(2) {
+        Some('0') => Some("lbf"),
+        Some('1') => Some("N"),
+        _ => None,
     };
     Ok(())
 }
@@ -205,80 +164,18 @@ fn link(text: &str) -> Result<PageLink, ImportError> {
     Ok(link)
 }
 
-fn force(text: &str) -> Result<(String, String, f64), ImportError> {
-    let (_, text) = first(text)?;
+fn force(text: &str) -> Result<PageForce, ImportError> {
+    let (flags, text) = first(text)?;
     let mut record = Record::new(text);
     let (id, link) = (record.text().to_owned(), record.text().to_owned());
     let _name = record.text();
-    for _ in 0..4 {
-        record.decimal()?;
-    }
-    Ok((id, link, record.decimal()?))
-}
-
-/// Reads an entry of the tail: `PJA~0~1.23456` corrects the first number of joint `A`.
-fn tail(entry: &str, drawing: &mut Drawing) -> Result<(), ImportError> {
-    match entry.chars().next() {
-        None => return Ok(()),
-        // Locks, centres that follow joints, designs in progress, colours.
-        Some('J' | 'L' | 'F' | 'C' | 'S' | 'K') => return Ok(()),
-        Some('P') => {}
-        Some(_) => {
-            drawing.warnings.push(format!(
-                "the entry `{}` of the address is not known and left out",
-                shown(entry)
-            ));
-            return Ok(());
-        }
-    }
-    let mut parts = entry.split('~');
-    let (target, field, value) = (parts.next(), parts.next(), parts.next());
-    let value = value.and_then(|text| text.parse::<f64>().ok());
-    let value = value.filter(|value| value.is_finite());
-    let field = field.and_then(|text| text.parse::<usize>().ok());
-    let (Some(target), Some(field), Some(value)) = (target, field, value) else {
-        return Err(ImportError::new(format!(
-            "the correction `{}` of the address cannot be read",
-            shown(entry)
-        )));
-    };
-    drawing.is_precise = true;
-    let mut letters = target.chars();
-    let _mark = letters.next();
-    let kind = letters.next();
-    let id = letters.as_str();
-    let number = match kind {
-        Some('J') => {
-            let joint = drawing.joints.iter_mut().find(|joint| joint.id == id);
-            joint.and_then(|joint| match field {
-                0 => Some(&mut joint.position[0]),
-                1 => Some(&mut joint.position[1]),
-                2 => Some(&mut joint.angle),
-                3 => Some(&mut joint.speed),
-                4 => Some(&mut joint.mass),
-                _ => None,
-            })
-        }
-        Some('L') => {
-            let link = drawing.links.iter_mut().find(|link| link.id == id);
-            link.and_then(|link| match field {
-                0 => Some(&mut link.mass),
-                1 => Some(&mut link.inertia),
-                2 => Some(&mut link.centre[0]),
-                3 => Some(&mut link.centre[1]),
-                _ => None,
-            })
-        }
-        // Numbers of forces and of settings are not taken.
-        Some('F' | 'D' | 'I') => return Ok(()),
-        _ => None,
-    };
-    let number = number.ok_or_else(|| {
-        ImportError::new(format!(
-            "the correction `{}` of the address has no target",
-            shown(entry)
-        ))
-    })?;
-    *number = value;
-    Ok(())
+    Ok(PageForce {
+        id,
+        link,
+        start: [record.decimal()?, record.decimal()?],
+        end: [record.decimal()?, record.decimal()?],
+        size: record.decimal()?,
+        turns: flags & 1 != 0,
+        points_away: flags & 2 != 0,
+    })
 }

@@ -1,15 +1,21 @@
 //! The text of a robot that moves in space.
 
+use std::collections::BTreeMap;
+
 use super::model::{ClosingJoint, Motion};
 use super::placement::{AXES, Vector, difference, length, normals};
-use super::wording::{Sections, Wording, digits};
+use super::wording::{Sections, Wording};
 
 /// The text of a mechanism of space that is being written.
-struct Writer<'w, 'c> {
-    wording: &'w mut Wording<'c>,
-    sections: Sections,
+pub(super) struct Writer<'w, 'c> {
+    pub(super) wording: &'w mut Wording<'c>,
+    pub(super) sections: Sections,
     /// Parameters by bodies and what they lead to.
     offsets: Vec<(usize, Vector, String)>,
+    /// The far end of each rod, by its body.
+    pub(super) rod_ends: BTreeMap<usize, String>,
+    /// The joints of the mechanics that close loops.
+    pub(super) closing_joints: Vec<String>,
 }
 
 /// Writes the mechanism.
@@ -18,6 +24,8 @@ pub(super) fn sections(wording: &mut Wording) -> Sections {
         wording,
         sections: Sections::default(),
         offsets: Vec::new(),
+        rod_ends: BTreeMap::new(),
+        closing_joints: Vec::new(),
     };
     writer.wording.inputs(&mut writer.sections);
     writer.sections.lets = writer.wording.lets_of_followers();
@@ -32,7 +40,7 @@ pub(super) fn sections(wording: &mut Wording) -> Sections {
 }
 
 impl Writer<'_, '_> {
-    fn is_rod(&self, body: usize) -> bool {
+    pub(super) fn is_rod(&self, body: usize) -> bool {
         let mut rods = self.wording.chain.rods.iter();
         rods.any(|rod| rod.body == body)
     }
@@ -58,12 +66,12 @@ impl Writer<'_, '_> {
     }
 
     /// A direction of a body from where it is drawn.
-    fn direction(&self, body: usize, direction: Vector) -> String {
+    pub(super) fn direction(&self, body: usize, direction: Vector) -> String {
         self.turned(body, self.wording.direction(&direction), false)
     }
 
     /// A point of a body from where it is drawn.
-    fn carried(&mut self, body: usize, at: Vector, what: &str) -> String {
+    pub(super) fn carried(&mut self, body: usize, at: Vector, what: &str) -> String {
         let Some(joint) = &self.wording.body(body).joint else {
             return self.wording.point(&at);
         };
@@ -156,6 +164,11 @@ impl Writer<'_, '_> {
             let texts = [(Vec::new(), [format!("distance({first}, {end})"), long])];
             self.wording.equations(index, &texts, &mut self.sections);
             self.wording.gap(index, &mut self.sections);
+            let [rod_name, other] =
+                [rod.body, rod.ends[1].0].map(|body| self.wording.bodies[body].clone());
+            self.closing_joints
+                .push(format!("ball {name} = {rod_name} on {other} at {end};"));
+            self.rod_ends.insert(rod.body, end.clone());
             self.sections.quantities.push(end);
             return;
         }
@@ -179,6 +192,12 @@ impl Writer<'_, '_> {
         };
         // About x, y and z.
         let turns = [0, 1, 2].map(|k| right_angle(AXES[(k + 1) % 3], AXES[(k + 2) % 3]));
+        let (kind, clause) = match closure.closing {
+            ClosingJoint::Point => ("ball", String::new()),
+            ClosingJoint::Weld => ("fixed", String::new()),
+            ClosingJoint::Hinge(axis) => ("pin", format!(" about {}", self.direction(a, axis))),
+            ClosingJoint::Slide(axis) => ("slide", format!(" along {}", self.direction(b, axis))),
+        };
         let texts = match closure.closing {
             ClosingJoint::Point => vec![together],
             ClosingJoint::Weld => [vec![together], turns.to_vec()].concat(),
@@ -197,29 +216,11 @@ impl Writer<'_, '_> {
         };
         self.wording.equations(index, &texts, &mut self.sections);
         self.wording.gap(index, &mut self.sections);
+        // The fixed body cannot be the first one.
+        let [one, other] = [a.max(b), a.min(b)].map(|body| self.wording.bodies[body].clone());
+        self.closing_joints.push(format!(
+            "{kind} {name} = {one} on {other} at {second}{clause};"
+        ));
         self.sections.quantities.push(first);
-    }
-
-    /// Masses as comments: tensors need the frame of each body.
-    fn masses(&mut self) {
-        for (index, body) in self.wording.chain.robot.bodies.iter().enumerate().skip(1) {
-            if let Some(mass) = body.mass() {
-                let i = mass.inertia;
-                let numbers = [i[0][0], i[1][1], i[2][2], i[0][1], i[0][2], i[1][2]];
-                let numbers: Vec<String> = numbers.iter().map(|value| digits(*value)).collect();
-                self.sections.bodies.push(format!(
-                    "// {}: {}kg, centre drawn at {}, xx yy zz xy xz yz in kg*m^2: {}",
-                    self.wording.bodies[index],
-                    digits(mass.mass),
-                    self.wording.point(&mass.centre),
-                    numbers.join(" ")
-                ));
-            }
-        }
-        if !self.sections.bodies.is_empty() {
-            self.sections.warnings.push(
-                "masses and inertias are comments: a body of space needs its frame".to_owned(),
-            );
-        }
     }
 }

@@ -2,7 +2,7 @@
 
 use std::fmt::Write;
 
-use crate::document::{Document, FRAME, InputKind, SlotPath};
+use crate::document::{Document, FRAME, InputKind, Load, PlacedLoad, SlotPath};
 use crate::number::plain;
 
 use super::driven::Drive;
@@ -49,17 +49,14 @@ fn joins_nothing(document: &Document, joint: usize) -> bool {
 /// Adds a line for each link, with its lengths behind it.
 pub(super) fn links(document: &Document, spelling: &Spelling, drives: &[Drive], text: &mut String) {
     for (index, link) in document.links.iter().enumerate() {
-        let mut joints = link.joints.clone();
-        joints.retain(|joint| index != FRAME || !joins_nothing(document, *joint));
+        let joints = ordered(document, drives, index);
         if joints.is_empty() {
             continue;
         }
         let mut clauses = String::new();
         for drive in drives {
             match drive.kind {
-                InputKind::Crank { link, pivot, .. } if link == index => {
-                    first(&mut joints, drive.target.unwrap_or(pivot));
-                    first(&mut joints, pivot);
+                InputKind::Crank { link, .. } if link == index => {
                     let _ = write!(clauses, " at {}", drive.clause);
                 }
                 InputKind::Length { link } if link == index => {
@@ -87,6 +84,47 @@ pub(super) fn links(document: &Document, spelling: &Spelling, drives: &[Drive], 
         if index != FRAME {
             sizes::of_link(document, spelling, &joints, text);
         }
+    }
+}
+
+/// Returns the joints of a link as they are written: a crank begins at its pivot.
+fn ordered(document: &Document, drives: &[Drive], index: usize) -> Vec<usize> {
+    let mut joints = document.links[index].joints.clone();
+    joints.retain(|joint| index != FRAME || !joins_nothing(document, *joint));
+    for drive in drives {
+        match drive.kind {
+            InputKind::Crank { link, pivot, .. } if link == index => {
+                first(&mut joints, drive.target.unwrap_or(pivot));
+                first(&mut joints, pivot);
+            }
+            InputKind::Crank { .. } | InputKind::Length { .. } | InputKind::Position { .. } => {}
+        }
+    }
+    joints
+}
+
+/// Adds a line for each force.
+pub(super) fn loads(document: &Document, spelling: &Spelling, drives: &[Drive], text: &mut String) {
+    for PlacedLoad { link, joint, load } in &document.loads {
+        let Load {
+            vector,
+            unit,
+            turns,
+        } = load;
+        let joints = ordered(document, drives, *link);
+        let name = &spelling.links[*link];
+        let point = &spelling.joints[*joint];
+        let components = |[x, y]: [f64; 2]| format!("({}{unit}, {}{unit})", plain(x), plain(y));
+        let force = match joints[..] {
+            [first, second, ..] if *turns => {
+                let (sin, cos) = document.direction(first, second).sin_cos();
+                let [x, y] = *vector;
+                let along = [cos * x + sin * y, cos * y - sin * x];
+                format!("rotate({}, {name}.angle)", components(along))
+            }
+            _ => components(*vector),
+        };
+        let _ = writeln!(text, "    force {force} on {name} at {point};");
     }
 }
 

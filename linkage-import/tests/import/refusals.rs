@@ -122,9 +122,14 @@ fn messages_name_the_fault() {
         (
             Format::Pmks,
             "https://app.pmksplus.com/?pmks2:00",
-            "document of bodies",
+            "cut or changed",
         ),
         (Format::Pmks, "https://app.pmksplus.com/?a%zz", "broken `%`"),
+        (
+            Format::Pmks,
+            "https://app.pmksplus.com/?data=N4Ig",
+            "cannot be read",
+        ),
         (
             Format::Pyslvs,
             "M[J[R, P[0 0], L[]]]",

@@ -2,6 +2,7 @@
 //! that are asked for, mutated files.
 
 mod choices;
+mod masses;
 mod motion;
 mod mutations;
 mod solver;

@@ -7,6 +7,7 @@ use syn::ext::IdentExt;
 use super::expression_tree::{Expr, ExprKind, Toleranced};
 use super::item_name::ItemName;
 use super::keyword::{DeclarationWord, ItemWord, LoadWord};
+use super::link_inventory::{LinkInventory, LinkLoop};
 use super::linked_tree::LinkedItem;
 use super::mechanics_tree::{BodyItem, ElementItem, JointItem, LoadItem, Member};
 use crate::diagnostic::SourceSpan;
@@ -21,6 +22,8 @@ pub struct MechanismDef {
     pub name: Ident,
     pub items: Vec<Item>,
     pub functions: Vec<FunctionDef>,
+    /// The joints and links that items stand for, once these have taken their place.
+    pub links: Option<LinkInventory>,
 }
 
 impl MechanismDef {
@@ -128,6 +131,8 @@ pub struct LoopItem {
     pub left: Expr,
     pub right: Expr,
     pub span: SourceSpan,
+    /// The joint or link that it stands for.
+    pub of: Option<LinkLoop>,
 }
 
 /// `part NAME: MECHANISM { given = expr, ... } [on BODY] [at expr] [, turned by expr];`

@@ -265,6 +265,7 @@ impl Parser<'_> {
             left,
             right,
             span,
+            of: None,
         })
     }
 }

@@ -37,6 +37,7 @@ vocabulary! {
         Gravity = "gravity",
         /// A link with mass, which a joint attaches to another one.
         Body = "body",
+        /// An arc about a centre that a curved slot has the form of.
         Arc = "arc",
     }
 }

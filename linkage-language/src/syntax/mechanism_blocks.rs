@@ -71,6 +71,7 @@ impl Parser<'_> {
             name,
             items: Vec::new(),
             functions: Vec::new(),
+            links: None,
         };
         let body = self.braces(&definition.name.to_string());
         let items = body.map(|group| self.within(&group, |parser| parser.items()));

@@ -19,6 +19,18 @@ pub struct Scale {
     pub wholes: &'static [(u64, i32)],
 }
 
+impl Scale {
+    /// Returns the number, up to rounding.
+    pub fn factor(self) -> f64 {
+        let wholes = self.wholes.iter();
+        // The powers of ten of units are small, and so are these numbers.
+        let wholes: f64 = wholes
+            .map(|(whole, power)| (*whole as f64).powi(*power))
+            .product();
+        10f64.powi(self.ten as i32) * std::f64::consts::PI.powi(self.pi) * wholes
+    }
+}
+
 const ONE: UnitOfMeasure = UnitOfMeasure {
     kilograms: 0,
     newtons: 0,

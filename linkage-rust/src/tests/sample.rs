@@ -174,6 +174,7 @@ fn def() -> MechanismDef {
             ),
             function("fixed", "Fixed", &[], vec![quantity("rod2", name("rod2"))]),
         ],
+        links: None,
     }
 }
 
@@ -257,6 +258,7 @@ pub(crate) fn mechanism() -> Mechanism {
         loads: vec![],
         elements: vec![],
         arcs: vec![],
+        links: None,
         evaluators: vec![
             evaluator("path", "Path", vec![0]),
             evaluator("modes", "Turning", vec![0]),

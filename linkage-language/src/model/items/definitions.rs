@@ -55,6 +55,7 @@ pub(in crate::model) fn resolve_loop(
             left,
             right,
             origin,
+            of: item.of.clone(),
         };
     };
     let ty = ty.settled();
@@ -69,5 +70,6 @@ pub(in crate::model) fn resolve_loop(
         left,
         right,
         origin,
+        of: item.of.clone(),
     }
 }

@@ -54,6 +54,7 @@ pub(in crate::model) fn resolve_items(
         elements: Vec::new(),
         arcs: Vec::new(),
         evaluators: Vec::new(),
+        links: definition.links.clone(),
         origin: sink.add_origin((&definition.name).into()),
     };
     for (position, item) in passes.constants {

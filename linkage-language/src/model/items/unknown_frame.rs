@@ -137,6 +137,7 @@ impl FoundFrame {
             left,
             right: number(right),
             origin: self.origin,
+            of: None,
         });
         loops.into()
     }

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use proc_macro2::Ident;
 
-use super::linkage::{Arc, FRAME, Joint, Link, Linkage, Path, Slider, Wheels};
+use super::linkage::{Arc, FRAME, Joint, LENGTH, Link, Linkage, Path, RADIUS, Slider, Wheels};
 use super::nodes::ident;
 use crate::diagnostic::Diagnostics;
 use crate::diagnostic::text::nearest;
@@ -92,7 +92,7 @@ fn frame(definition: &MechanismDef) -> Link<'_> {
         at: None,
         about: None,
         length: None,
-        length_word: "length",
+        length_word: LENGTH,
         masses: &[],
         inertias: &[],
     }
@@ -209,7 +209,7 @@ fn add_link<'a>(
         at: item.at.as_ref(),
         about: item.about.as_ref(),
         length: item.length.as_ref(),
-        length_word: "length",
+        length_word: LENGTH,
         masses: &item.masses,
         inertias: &item.inertias,
     });
@@ -296,7 +296,7 @@ fn add_slider<'a>(
                 at: None,
                 about: None,
                 length: radius.as_ref(),
-                length_word: "radius",
+                length_word: RADIUS,
                 masses: &[],
                 inertias: &[],
             });

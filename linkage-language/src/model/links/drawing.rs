@@ -7,7 +7,7 @@ use proc_macro2::Ident;
 use super::linkage::{FRAME, Linkage};
 use super::nodes::{difference, name};
 use crate::syntax::{
-    BinaryOp, Expr, ExprKind, Item, LinkedItem, MechanismDef, Scale, Toleranced, find_unit,
+    BinaryOp, Expr, ExprKind, Item, LinkedItem, MechanismDef, Toleranced, find_unit,
 };
 
 /// Nested names and operations of a drawn position: more are a mistake, or a circle of names.
@@ -109,6 +109,12 @@ impl Drawing {
         Some(difference(self.positions[to].clone()?, from))
     }
 
+    /// Returns the distance of two joints as drawn, in metres.
+    pub(super) fn distance(&self, from: usize, to: usize) -> Option<f64> {
+        let components = self.components(&self.vector(from, to)?)?;
+        Some(components.iter().fold(0.0, |sum: f64, x| sum.hypot(*x)))
+    }
+
     /// Returns true for an expression of numbers and constants alone.
     pub(super) fn is_constant(&self, expr: &Expr) -> bool {
         is_constant(&self.values, expr)
@@ -144,6 +150,11 @@ impl Drawing {
         }
     }
 
+    /// Returns the components of a vector, if they are known.
+    pub(super) fn components(&self, vector: &Expr) -> Option<Vec<f64>> {
+        self.evaluate(vector, DEPTH)
+    }
+
     /// Returns the components of an expression.
     fn evaluate(&self, expr: &Expr, depth: usize) -> Option<Vec<f64>> {
         let depth = depth.checked_sub(1)?;
@@ -156,7 +167,7 @@ impl Drawing {
                 let number: f64 = text.parse().ok()?;
                 let scale = match suffix.as_str() {
                     "" => 1.0,
-                    unit => factor(find_unit(unit)?.scale),
+                    unit => find_unit(unit)?.scale.factor(),
                 };
                 vec![number * scale]
             }
@@ -227,15 +238,6 @@ fn combine(operator: BinaryOp, left: &[f64], right: &[f64]) -> Option<Vec<f64>> 
         }
         _ => return None,
     })
-}
-
-fn factor(scale: Scale) -> f64 {
-    let wholes = scale.wholes.iter();
-    // The powers of ten of units are small, and so are these numbers.
-    let wholes: f64 = wholes
-        .map(|(whole, power)| (*whole as f64).powi(*power))
-        .product();
-    10f64.powi(scale.ten as i32) * std::f64::consts::PI.powi(scale.pi) * wholes
 }
 
 /// Returns all names in an expression, those of functions aside.

@@ -2,28 +2,23 @@
 //! wheels without a pivot on their carrier.
 
 use super::drawing::{DRAWN_APART, nominal};
-use super::linkage::{FRAME, Linkage};
+use super::linkage::{FRAME, Link, Linkage};
+use super::rigid_bodies::Bodies;
 use super::sheet::Sheet;
 use super::slides::drawn_in_slot;
 use crate::diagnostic::Diagnostics;
-use crate::syntax::{ExprKind, Toleranced};
+use crate::syntax::{Expr, ExprKind, Toleranced};
 
 /// Lengths in metres below this part of the largest coordinate are none.
 const NONE: f64 = 1e-9;
 
 /// Reports the mistakes of a drawing in the plane.
 pub(super) fn report(sheet: &Sheet, diagnostics: &mut Diagnostics) {
+    report_driven_twice(sheet.linkage, sheet.bodies, diagnostics);
     report_joints_at_one_place(sheet, diagnostics);
     report_cylinders(sheet, diagnostics);
     report_pins_beside_slots(sheet, diagnostics);
     report_wheels(sheet, diagnostics);
-}
-
-/// Returns the distance of two joints as drawn.
-fn distance(sheet: &Sheet, from: usize, to: usize) -> Option<f64> {
-    let vector = sheet.drawing.vector(from, to)?;
-    let [x, y] = sheet.drawing.coordinates(&vector)?;
-    Some(x.hypot(y))
 }
 
 /// Returns the largest coordinate of all joints.
@@ -42,7 +37,10 @@ fn report_joints_at_one_place(sheet: &Sheet, diagnostics: &mut Diagnostics) {
             continue;
         };
         if link.length.is_none()
-            && distance(sheet, first, second).is_some_and(|length| length <= NONE * size(sheet))
+            && sheet
+                .drawing
+                .distance(first, second)
+                .is_some_and(|length| length <= NONE * size(sheet))
         {
             let [one, other] = [first, second].map(|joint| &linkage.joints[joint].name);
             let fact = format!(
@@ -66,7 +64,7 @@ fn report_cylinders(sheet: &Sheet, diagnostics: &mut Diagnostics) {
             continue;
         }
         let reference = sheet.drawing.number(&sheet.drawing.at_reference(&length));
-        let drawn = distance(sheet, *first, *second);
+        let drawn = sheet.drawing.distance(*first, *second);
         if let (Some(reference), Some(drawn)) = (reference, drawn)
             && (reference - drawn).abs() > DRAWN_APART * reference.abs().max(drawn)
         {
@@ -126,10 +124,60 @@ fn report_wheels(sheet: &Sheet, diagnostics: &mut Diagnostics) {
                 diagnostics.error_with_help(span, fact, help);
             }
         }
+        report_missing_unit(pair.sizes, diagnostics);
         for size in pair.sizes {
             if sheet.drawing.number(size) == Some(0.0) {
                 diagnostics.error_with_help(size.span, "a wheel of no size", "write its teeth");
             }
+        }
+    }
+}
+
+/// Reports a radius without a unit next to one with a unit.
+fn report_missing_unit(sizes: &[Expr; 2], diagnostics: &mut Diagnostics) {
+    let written = |size: &Expr| match &size.kind {
+        ExprKind::Number { text, suffix } => Some((text.clone(), suffix.clone())),
+        _ => None,
+    };
+    let [Some(one), Some(other)] = [&sizes[0], &sizes[1]].map(written) else {
+        return;
+    };
+    let (bare, text, unit) = match (one.1.is_empty(), other.1.is_empty()) {
+        (true, false) => (&sizes[0], &one.0, &other.1),
+        (false, true) => (&sizes[1], &other.0, &one.1),
+        _ => return,
+    };
+    let fact = format!("`{text}` has no unit, but the other wheel is in `{unit}`");
+    let help = format!("write `{text}{unit}`; `teeth` are two numbers without units");
+    diagnostics.error_with_help(bare.span, fact, help);
+}
+
+/// Reports bodies whose angle is given by more than one link, and links of the frame that are to
+/// turn.
+fn report_driven_twice(linkage: &Linkage, bodies: &Bodies, diagnostics: &mut Diagnostics) {
+    for (index, body) in bodies.list.iter().enumerate() {
+        let links = body.links.iter().map(|link| &linkage.links[*link]);
+        let driven: Vec<&Link> = links.filter(|link| link.at.is_some()).collect();
+        if index == FRAME {
+            for link in driven {
+                let fact = format!(
+                    "`{}` is fixed to the frame, and cannot be driven",
+                    link.name
+                );
+                let help =
+                    "leave `at` out, or the weld or the second joint that it shares with the frame";
+                diagnostics.error_with_help((&link.name).into(), fact, help);
+            }
+            continue;
+        }
+        if let [first, second, ..] = driven[..] {
+            let fact = format!(
+                "`{}` and `{}` are one body, which is driven twice",
+                first.name, second.name
+            );
+            let help =
+                "leave `at` out of one of them; links that share two joints or a weld are one body";
+            diagnostics.error_with_help((&second.name).into(), fact, help);
         }
     }
 }

@@ -1,9 +1,10 @@
 //! The items that joints and links become.
 
-use super::drawing::{DRAWN_APART, Drawing, drawing, is_spatial, nominal};
+use super::drawing::{DRAWN_APART, Drawing, is_spatial, nominal};
+use super::inventory::closed_joint;
 use super::linkage::{FRAME, Linkage};
 use super::locations::{self, angle, angle_of_line, drawn_angle, point, position};
-use super::nodes::{call, difference, negative, number, sum};
+use super::nodes::{call, difference, equation, negative, number, sum};
 use super::order::{AngleOf, Step, plan};
 use super::rigid_bodies::Bodies;
 use super::sheet::Sheet;
@@ -12,10 +13,10 @@ use super::slides::{
     slot_angle, slot_on_body, start_item, start_joint,
 };
 use super::{curved_slots, drawn_faults, mechanics, space, wheels};
-use crate::diagnostic::{Diagnostics, SourceSpan};
+use crate::diagnostic::Diagnostics;
 use crate::model::types::Function;
 use crate::syntax::{
-    Expr, ExprKind, Item, ItemName, LoopItem, MechanismDef, NamedItem, ParamItem, Toleranced,
+    Expr, ExprKind, Item, ItemName, LinkLoop, MechanismDef, NamedItem, ParamItem, Toleranced,
     UnknownItem,
 };
 
@@ -24,31 +25,31 @@ pub(super) fn items(
     definition: &MechanismDef,
     linkage: &Linkage,
     bodies: &Bodies,
+    drawing: &Drawing,
     diagnostics: &mut Diagnostics,
 ) -> Vec<Item> {
-    let drawing = drawing(definition, linkage);
     if is_spatial(linkage) {
         drawn_faults::refuse_mixed_coordinates(linkage, diagnostics);
         if !diagnostics.is_empty() {
             return Vec::new();
         }
-        let fixed = fixed_joints(linkage, &linkage.links[FRAME].joints, &drawing, diagnostics);
-        return space::items(linkage, &drawing, fixed, diagnostics);
+        let fixed = fixed_joints(linkage, &linkage.links[FRAME].joints, drawing, diagnostics);
+        return space::items(linkage, drawing, fixed, diagnostics);
     }
     refuse_axes(linkage, diagnostics);
     let plan = plan(linkage, bodies, diagnostics);
     let sheet = Sheet {
         linkage,
         bodies,
-        drawing: &drawing,
+        drawing,
         plan: &plan,
     };
     drawn_faults::report(&sheet, diagnostics);
-    let mut items = fixed_joints(linkage, &bodies.list[FRAME].joints, &drawing, diagnostics);
+    let mut items = fixed_joints(linkage, &bodies.list[FRAME].joints, drawing, diagnostics);
     items.extend(angles_of_the_frame(&sheet));
-    items.extend(locations::items(linkage, bodies, &drawing, diagnostics));
+    items.extend(locations::items(linkage, bodies, drawing, diagnostics));
     let sliders = linkage.sliders.iter();
-    items.extend(sliders.filter_map(|slider| start_item(slider, &drawing)));
+    items.extend(sliders.filter_map(|slider| start_item(slider, drawing)));
     for step in &plan.steps {
         write_step(&sheet, step, &mut items, diagnostics);
     }
@@ -158,8 +159,10 @@ fn write_step(sheet: &Sheet, step: &Step, items: &mut Vec<Item>, diagnostics: &m
         Step::Close { body, from, joint } => {
             let from = (*from, point(linkage, *from));
             let value = position(linkage, &bodies.list[*body], from, *joint);
-            let link = &linkage.links[bodies.list[*body].lead()].name;
-            items.push(equation(point(linkage, *joint), value, link.into()));
+            let lead = bodies.list[*body].lead();
+            let of = closed_joint(linkage, lead, &bodies.list[*body].joints, *joint);
+            let link = &linkage.links[lead].name;
+            items.push(equation(point(linkage, *joint), value, of, link.into()));
         }
         Step::PlacePin { slider } => {
             write_position(sheet, *slider, items, diagnostics);
@@ -172,7 +175,8 @@ fn write_step(sheet: &Sheet, step: &Step, items: &mut Vec<Item>, diagnostics: &m
             let slider = &linkage.sliders[*slider];
             let value = point_in_slot(linkage, bodies, slider, drawing);
             let span = (&slider.name).into();
-            items.push(equation(point(linkage, slider.pin), value, span));
+            let of = LinkLoop::Slider(slider.name.to_string());
+            items.push(equation(point(linkage, slider.pin), value, of, span));
         }
         Step::Follow { slider } => {
             let slider = &linkage.sliders[*slider];
@@ -383,6 +387,15 @@ fn check_angle(sheet: &Sheet, link: usize, at: &Expr, diagnostics: &mut Diagnost
     let apart = (reference - drawn).rem_euclid(turn);
     if apart.min(turn - apart) > DRAWN_APART {
         let [reference, drawn] = [reference, drawn].map(|angle| rounded(angle.to_degrees()));
+        if drawing.is_constant(at) {
+            let fact = format!(
+                "`{}` is drawn at {drawn} deg, but `at` holds it at {reference} deg",
+                item.name
+            );
+            let help = "draw it there; a link that moves has an input after `at`, or no `at`";
+            diagnostics.error_with_help((&item.name).into(), fact, help);
+            return;
+        }
         let fact = format!(
             "`{}` is drawn at {drawn} deg, but its input is {reference} deg at the reference",
             item.name
@@ -405,13 +418,4 @@ fn rounded(value: f64) -> f64 {
 fn let_joint(linkage: &Linkage, joint: usize, value: Expr) -> Item {
     let name = linkage.joints[joint].name.clone().into();
     Item::Let(NamedItem { name, value })
-}
-
-fn equation(left: Expr, right: Expr, span: SourceSpan) -> Item {
-    Item::Loop(LoopItem {
-        redundant: false,
-        left,
-        right,
-        span,
-    })
 }

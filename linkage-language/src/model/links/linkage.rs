@@ -7,6 +7,11 @@ use crate::syntax::{Expr, InertiaPart, MassPart, Toleranced};
 /// The number of the frame, among links and among bodies.
 pub(super) const FRAME: usize = 0;
 
+/// The name of the length of a link.
+pub(super) const LENGTH: &str = "length";
+/// The name of the length of an arc.
+pub(super) const RADIUS: &str = "radius";
+
 pub(super) struct Linkage<'a> {
     pub(super) joints: Vec<Joint<'a>>,
     /// The frame is the first of them.
@@ -38,6 +43,13 @@ pub(super) struct Link<'a> {
     pub(super) length_word: &'static str,
     pub(super) masses: &'a [MassPart],
     pub(super) inertias: &'a [InertiaPart],
+}
+
+impl Link<'_> {
+    /// Returns true for the arc of a curved slot, which is written as a slider.
+    pub(super) fn is_arc(&self) -> bool {
+        self.length_word == RADIUS
+    }
 }
 
 /// A joint that slides along a line of a link.

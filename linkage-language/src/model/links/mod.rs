@@ -8,6 +8,7 @@ mod collect;
 mod curved_slots;
 mod drawing;
 mod drawn_faults;
+mod inventory;
 mod link_items;
 mod linkage;
 mod locations;
@@ -64,9 +65,12 @@ fn expand_mechanism(
     let linkage = linkage.filter(|_| diagnostics.is_empty());
     let mut renamed = BTreeMap::new();
     let mut items = Vec::new();
+    let mut links = None;
     if let Some(linkage) = linkage {
         let bodies = rigid_bodies::bodies(&linkage);
-        items = link_items::items(&definition, &linkage, &bodies, diagnostics);
+        let drawing = drawing::drawing(&definition, &linkage);
+        items = link_items::items(&definition, &linkage, &bodies, &drawing, diagnostics);
+        links = Some(inventory::inventory(&linkage, &bodies, &drawing));
         renamed = mechanics::renamed_bodies(&linkage, &bodies);
     }
     if !diagnostics.is_empty() {
@@ -78,5 +82,6 @@ fn expand_mechanism(
     let is_linked = |item: &Item| matches!(item, Item::Linked(_));
     definition.items.retain(|item| !is_linked(item));
     mechanics::rename(&mut definition, &renamed);
+    definition.links = links;
     definition
 }

@@ -4,7 +4,7 @@ use proc_macro2::{Ident, Span};
 
 use crate::diagnostic::SourceSpan;
 use crate::model::types::Function;
-use crate::syntax::{BinaryOp, Expr, ExprKind, Word};
+use crate::syntax::{BinaryOp, Expr, ExprKind, Item, LinkLoop, LoopItem, Word};
 
 pub(super) fn ident(text: &str, span: Span) -> Ident {
     Ident::new(text, span)
@@ -22,6 +22,17 @@ pub(super) fn name(ident: &Ident) -> Expr {
 pub(super) fn quantity(link: &Ident, quantity: &Ident) -> Expr {
     let field = ExprKind::Field(Box::new(name(link)), quantity.clone());
     expr(field, quantity.into())
+}
+
+/// `loop left = right;`, which stands for a joint or a link.
+pub(super) fn equation(left: Expr, right: Expr, of: LinkLoop, span: SourceSpan) -> Item {
+    Item::Loop(LoopItem {
+        redundant: false,
+        left,
+        right,
+        span,
+        of: Some(of),
+    })
 }
 
 /// A number with its unit.

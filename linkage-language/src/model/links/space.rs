@@ -1,12 +1,17 @@
 //! Joints and links of space: hinges, rods between ball joints, and bodies that ball joints hold.
 
 use super::drawing::{Drawing, nominal};
+use super::inventory::closed_joint;
 use super::linkage::{FRAME, Link, Linkage};
 use super::locations::{angle, length, parameter, point};
-use super::nodes::{call, difference, ident, name, quantity, sum};
-use crate::diagnostic::{Diagnostics, SourceSpan};
+use super::nodes::{call, difference, equation, ident, name, quantity, sum};
+use crate::diagnostic::Diagnostics;
+use crate::diagnostic::text::list;
 use crate::model::types::Function;
-use crate::syntax::{Expr, Item, ItemName, LoopItem, NamedItem, Toleranced, UnknownItem};
+use crate::syntax::{Expr, Item, ItemName, LinkLoop, NamedItem, Toleranced, UnknownItem};
+
+/// The sine of an angle between lines below which they are one line: rounding of coordinates.
+const ON_LINE: f64 = 1e-9;
 
 /// A link that is reached: the turns of its hinge and of those before it, the last one first.
 type Turns = Vec<(Expr, Expr)>;
@@ -50,7 +55,7 @@ pub(super) fn items(
         item.about.is_some() && seat.is_some_and(|seat| progress.turns[seat].is_some())
     };
     while let Some(next) = open.iter().position(|link| hinged(&progress, *link)) {
-        write_hinge(&mut progress, open.remove(next));
+        write_hinge(&mut progress, open.remove(next), diagnostics);
     }
     // Ends of rods are points of bodies, so that a body on rods has no unknowns but its frame.
     open.sort_by_key(|link| linkage.links[*link].joints.len() < 3);
@@ -69,7 +74,7 @@ pub(super) fn items(
         } else if item.joints.len() == 2 {
             write_rod(&mut progress, link, diagnostics);
         } else {
-            write_body(&mut progress, link);
+            write_body(&mut progress, link, diagnostics);
         }
     }
     progress.items
@@ -100,7 +105,7 @@ fn refuse_items_of_the_plane(linkage: &Linkage, diagnostics: &mut Diagnostics) {
 }
 
 /// Writes a link that turns about an axis in its first joint.
-fn write_hinge(progress: &mut Progress, link: usize) {
+fn write_hinge(progress: &mut Progress, link: usize, diagnostics: &mut Diagnostics) {
     let Progress {
         linkage, drawing, ..
     } = *progress;
@@ -109,6 +114,16 @@ fn write_hinge(progress: &mut Progress, link: usize) {
     let Some(axis) = item.about.cloned() else {
         return;
     };
+    let components = drawing.components(&axis);
+    if components.is_some_and(|axis| axis.iter().all(|component| *component == 0.0)) {
+        let fact = format!(
+            "the hinge of `{}` has no axis: `about` has no direction",
+            item.name
+        );
+        let help = "write a direction such as `(0, 0, 1)`, of any length";
+        diagnostics.error_with_help(axis.span, fact, help);
+        return;
+    }
     let turn = ItemName::of_link(item.name.clone(), ident("angle", item.name.span()));
     progress.items.push(match item.at {
         // The drawing shows the link at the reference.
@@ -169,22 +184,17 @@ fn put(progress: &mut Progress, link: usize, joint: usize, position: Expr) {
                 value: position,
             })
         }
-        Some(_) => equation(
-            point(progress.linkage, joint),
-            position,
-            (&progress.linkage.links[link].name).into(),
-        ),
+        Some(_) => {
+            let item = &progress.linkage.links[link];
+            equation(
+                point(progress.linkage, joint),
+                position,
+                closed_joint(progress.linkage, link, &item.joints, joint),
+                (&item.name).into(),
+            )
+        }
     };
     progress.items.push(item);
-}
-
-fn equation(left: Expr, right: Expr, span: SourceSpan) -> Item {
-    Item::Loop(LoopItem {
-        redundant: false,
-        left,
-        right,
-        span,
-    })
 }
 
 /// Writes a rod between two ball joints: a distance.
@@ -222,12 +232,16 @@ fn write_rod(progress: &mut Progress, link: usize, diagnostics: &mut Diagnostics
     for joint in ends {
         write_free_joint(progress, joint, link);
     }
+    let of = LinkLoop::Rod {
+        link: item.name.to_string(),
+        ends: ends.map(|joint| linkage.joints[joint].name.to_string()),
+    };
     let ends = ends.map(|joint| point(linkage, joint));
     let distance = call(Function::Distance, ends.to_vec());
     let span = (&item.name).into();
     progress
         .items
-        .push(equation(distance, length(linkage, link), span));
+        .push(equation(distance, length(linkage, link), of, span));
 }
 
 /// Writes a joint that rods alone hold: an unknown point.
@@ -242,13 +256,50 @@ fn write_free_joint(progress: &mut Progress, joint: usize, link: usize) {
     }));
 }
 
+/// Returns a joint that is not on the line through the first two joints of a body; the third joint
+/// if positions are not known as numbers.
+fn joint_beside_line(item: &Link, drawing: &Drawing) -> Option<usize> {
+    let vector = |joint: usize| {
+        let vector = drawing.vector(item.joints[0], joint)?;
+        <[f64; 3]>::try_from(drawing.components(&vector)?).ok()
+    };
+    let is_beside = |joint: usize| {
+        let (Some([x, y, z]), Some([u, v, w])) = (vector(item.joints[1]), vector(joint)) else {
+            return true;
+        };
+        let across = (y * w - z * v).hypot(z * u - x * w).hypot(x * v - y * u);
+        let size = x.hypot(y).hypot(z) * u.hypot(v).hypot(w);
+        across > ON_LINE * size
+    };
+    let mut others = item.joints[2..].iter().copied();
+    others.find(|joint| is_beside(*joint))
+}
+
+fn report_joints_on_one_line(linkage: &Linkage, item: &Link, diagnostics: &mut Diagnostics) {
+    let names = item.joints.iter();
+    let names: Vec<String> = names
+        .map(|joint| linkage.joints[*joint].name.to_string())
+        .collect();
+    let names: Vec<&str> = names.iter().map(String::as_str).collect();
+    let fact = format!(
+        "the joints {} of `{}` are on one line: nothing holds its turn about this line",
+        list(&names),
+        item.name
+    );
+    let help = "draw one of them beside the line; a rod has two joints";
+    diagnostics.error_with_help((&item.name).into(), fact, help);
+}
+
 /// Writes a body that ball joints hold: an unknown frame.
-fn write_body(progress: &mut Progress, link: usize) {
+fn write_body(progress: &mut Progress, link: usize, diagnostics: &mut Diagnostics) {
     let Progress {
         linkage, drawing, ..
     } = *progress;
     let item = &linkage.links[link];
-    let [first, second, third] = [item.joints[0], item.joints[1], item.joints[2]];
+    let [first, second] = [item.joints[0], item.joints[1]];
+    let Some(third) = joint_beside_line(item, drawing) else {
+        return report_joints_on_one_line(linkage, item, diagnostics);
+    };
     let drawn = drawing.positions[first].clone().and_then(|origin| {
         let x = drawing.vector(first, second)?;
         let across = drawing.vector(first, third)?;

@@ -2,10 +2,10 @@
 
 use super::linkage::{FRAME, Wheels};
 use super::locations::{angle, drawn_angle};
-use super::nodes::{difference, negative, number, product, quotient};
+use super::nodes::{difference, equation, negative, number, product, quotient};
 use super::sheet::Sheet;
 use crate::diagnostic::SourceSpan;
-use crate::syntax::{Expr, Item, LoopItem};
+use crate::syntax::{Expr, Item, LinkLoop};
 
 /// Returns a loop for each pair of wheels: seen from the carrier, the turns since the reference are
 /// as the sizes.
@@ -23,12 +23,11 @@ fn relation(sheet: &Sheet, pair: &Wheels) -> Item {
     } else {
         ratio
     };
-    Item::Loop(LoopItem {
-        redundant: false,
-        left: second,
-        right: product(ratio, first),
-        span: pair.item.span,
-    })
+    let of = LinkLoop::Wheels(
+        pair.wheels
+            .map(|link| sheet.linkage.links[link].name.to_string()),
+    );
+    equation(second, product(ratio, first), of, pair.item.span)
 }
 
 /// Returns the turn of a wheel since the reference, seen from the carrier.

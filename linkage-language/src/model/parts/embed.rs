@@ -157,6 +157,7 @@ impl<'p> Embedding<'p> {
             left: self.expr(&equation.left),
             right: self.expr(&equation.right),
             origin: self.origin(equation.origin),
+            of: None,
         })
     }
 

@@ -10,6 +10,7 @@ use super::mechanics::{Body, Element, Joint, Load};
 use super::name::{Name, ScalarParameterId};
 use super::value_type::Type;
 use crate::diagnostic::OriginId;
+use crate::syntax::{LinkInventory, LinkLoop};
 
 /// A mechanism without a mistake in names, dimensions or arity.
 #[derive(Clone, Debug)]
@@ -40,6 +41,8 @@ pub struct Mechanism {
     pub elements: Vec<Element>,
     pub arcs: Vec<Arc>,
     pub evaluators: Vec<EvaluatorDef>,
+    /// The joints and links that items stand for.
+    pub links: Option<LinkInventory>,
     pub origin: OriginId,
 }
 
@@ -203,6 +206,8 @@ pub struct Loop {
     pub left: Expr,
     pub right: Expr,
     pub origin: OriginId,
+    /// The joint or link that it stands for; `None` for a loop as it is written, or of a part.
+    pub of: Option<LinkLoop>,
 }
 
 /// A mechanism within this one. Its items are among the items of the same kind, with names that

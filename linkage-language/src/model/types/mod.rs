@@ -21,7 +21,7 @@ mod usage;
 mod value_shape;
 mod value_type;
 
-pub use crate::syntax::JointKind;
+pub use crate::syntax::{JointCount, JointKind, LinkInventory, LinkLoop};
 pub(in crate::model) use angles::angles;
 pub use components::COMPONENTS;
 pub use dimension::Dimension;
