@@ -132,6 +132,7 @@ fn effort(document: &Document, mechanism: &str, name: &str, kind: NameKind) -> S
         | NameKind::Part
         | NameKind::Body
         | NameKind::Link
+        | NameKind::Slot
         | NameKind::Function
         | NameKind::Field => String::new(),
     }

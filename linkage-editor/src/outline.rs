@@ -37,6 +37,8 @@ pub enum NameKind {
     Link,
     /// A joint that slides on a link.
     Slider,
+    /// A curved slot.
+    Slot,
     /// A function of the `impl` block.
     Function,
     /// A field of the result of a function.
@@ -60,6 +62,7 @@ impl NameKind {
             NameKind::Joint => "joint",
             NameKind::Link => "link",
             NameKind::Slider => "slider",
+            NameKind::Slot => "curved slot",
             NameKind::Function => "function",
             NameKind::Field => "field",
         }
@@ -279,6 +282,7 @@ fn name_kind(word: ItemWord) -> Option<NameKind> {
             DeclarationWord::Argument => Some(NameKind::Argument),
             DeclarationWord::Part => Some(NameKind::Part),
             DeclarationWord::Body => Some(NameKind::Body),
+            DeclarationWord::Arc => Some(NameKind::Slot),
             DeclarationWord::Unit | DeclarationWord::Loop | DeclarationWord::Gravity => None,
         },
         ItemWord::Joint(_) => Some(NameKind::Joint),

@@ -192,6 +192,7 @@ fn names_of(item: &Item) -> Vec<(ItemName, Kind)> {
                 .flat_map(value)
                 .collect()
         }
+        Item::Arc(item) => value(&item.name),
         Item::Part(item) => vec![(item.name.clone().into(), Kind::Part(item.mechanism.clone()))],
         Item::Body(BodyItem { name, joint, .. }) => {
             let joint = joint.name.iter().flat_map(value);

@@ -97,7 +97,7 @@ fn declares(word: ItemWord) -> Declares {
         ItemWord::Declaration(word) => match word {
             Word::Unit | Word::Loop | Word::Gravity => Declares::Nothing,
             Word::Const | Word::Param | Word::Input | Word::Unknown => Declares::First,
-            Word::Let | Word::Argument | Word::Part | Word::Body => Declares::First,
+            Word::Let | Word::Argument | Word::Part | Word::Body | Word::Arc => Declares::First,
         },
         ItemWord::Joint(_) => Declares::First,
         ItemWord::Load(_) => Declares::Nothing,
