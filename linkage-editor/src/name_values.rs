@@ -186,8 +186,11 @@ impl Probe {
         }
         let faults = found.messages.iter();
         let faults = faults.map(|message| message.span.first.byte_range().start);
-        let refused =
-            faults.filter_map(|start| self.places.iter().position(|place| place.contains(&start)));
+        let refused = faults.filter_map(|start| {
+            self.places
+                .iter()
+                .position(|location| location.contains(&start))
+        });
         Some(Outcome::Refused(refused.collect()))
     }
 }
