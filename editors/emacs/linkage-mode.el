@@ -18,7 +18,7 @@
   :type 'string)
 
 (defconst linkage-mode--items
-  '("unit" "const" "param" "input" "unknown" "let" "loop" "argument" "part" "gravity" "body"
+  '("unit" "const" "param" "input" "unknown" "let" "loop" "argument" "part" "gravity" "body" "arc"
     "pin" "slide" "roller" "ball" "cylinder" "fixed" "force" "torque" "spring" "damper"
     "joint" "link" "slider" "gears" "belt" "weld")
   "Words that items begin with.")

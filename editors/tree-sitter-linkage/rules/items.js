@@ -14,6 +14,7 @@ module.exports = {
     $.argument_item,
     $.loop_item,
     $.part_item,
+    $.arc_item,
     $.gravity_item,
     $.body_item,
     $.pair_item,
@@ -65,6 +66,17 @@ module.exports = {
     field("mechanism", $._type_name),
     field("given", $.given_list),
     clauses(choice($.on_clause, $.at_clause, $.turned_clause)),
+  ),
+
+  // A curved slot.
+  arc_item: ($) => seq(
+    "arc",
+    field("name", $.identifier),
+    ":",
+    field("point", $._expression),
+    "around",
+    field("centre", $._expression),
+    clauses($.turned_clause),
   ),
 
   given_list: ($) => seq("{", listedOrNone($.given), "}"),

@@ -61,7 +61,7 @@
 ; Words.
 ["struct" "impl" "fn" "pub" "crate" "super" "self"] @keyword
 [
-  "unit" "const" "param" "input" "unknown" "let" "loop" "argument" "part" "gravity" "body"
+  "unit" "const" "param" "input" "unknown" "let" "loop" "argument" "part" "gravity" "body" "arc"
   "force" "torque" "spring" "damper"
   "joint" "link" "slider" "gears" "belt" "weld"
 ] @keyword

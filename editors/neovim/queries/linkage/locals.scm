@@ -9,6 +9,7 @@
 (unknown_item name: (identifier) @local.definition.var)
 (let_item name: (identifier) @local.definition.var)
 (part_item name: (identifier) @local.definition.var)
+(arc_item name: (identifier) @local.definition.var)
 (body_item name: (identifier) @local.definition.var)
 (body_item joint: (identifier) @local.definition.var)
 (pair_item name: (identifier) @local.definition.var)
