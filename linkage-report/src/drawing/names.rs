@@ -42,7 +42,7 @@ struct Placement {
 /// The shapes and the names that have been placed so far.
 struct Scene {
     taken: Vec<Taken>,
-    names: Vec<Area>,
+    names: Vec<Taken>,
     leaders: Vec<Taken>,
     joints: Vec<[f64; 2]>,
     /// The part of the sheet between caption and title.
@@ -67,7 +67,7 @@ pub(super) fn point_names(drawing: &Drawing<'_>, svg: &mut Svg, sheet: &Sheet<'_
             0.5 * LETTER_SIZE,
         ];
         let placement = scene.best(at, half);
-        scene.names.push(placement.area);
+        scene.names.push(Taken::from_area(placement.area));
         if let Some([from, to]) = placement.leader {
             scene.leaders.push(Taken::new(&[from, to], 0.0));
             let line = Element::line(from, to).class("leader");
@@ -114,7 +114,10 @@ impl Scene {
             }
             for way in 0..WAYS {
                 let placement = self.candidate(at, half, ring, way);
-                let room = self.room(&placement);
+                let is_useless = |room: f64| {
+                    room < CLEAR && widest.as_ref().is_some_and(|(most, _)| room <= *most)
+                };
+                let room = self.room(&placement, is_useless);
                 if room >= CLEAR
                     && best
                         .as_ref()
@@ -148,8 +151,9 @@ impl Scene {
         }
     }
 
-    /// Returns the distance of a name from everything else, negative beyond the edges of the sheet.
-    fn room(&self, placement: &Placement) -> f64 {
+    /// Returns the distance of a name from everything else, negative beyond the edges of the sheet,
+    /// or any distance from a part of this that is of no use.
+    fn room(&self, placement: &Placement, is_useless: impl Fn(f64) -> bool) -> f64 {
         let Placement { area, leader, .. } = placement;
         let inside = [
             area[0] - self.limits[0],
@@ -159,18 +163,17 @@ impl Scene {
         ];
         let inside = inside.into_iter().fold(f64::INFINITY, f64::min);
         // A name just inside is as good as one far inside.
-        let inside = if inside < 0.0 { inside } else { f64::INFINITY };
-        let shapes = self.taken.iter().chain(&self.leaders);
-        let shapes = shapes.map(|shape| shape.room(*area));
-        let names = self
-            .names
-            .iter()
-            .map(|name| Taken::from_area(*name).room(*area));
-        let line = leader.map(|[from, to]| Taken::new(&[from, to], 0.0));
-        let through = line
-            .iter()
-            .flat_map(|line| self.names.iter().map(|name| line.room(*name)));
-        shapes.chain(names).chain(through).fold(inside, f64::min)
+        let mut least = if inside < 0.0 { inside } else { f64::INFINITY };
+        let mut shapes = self.taken.iter().chain(&self.leaders).chain(&self.names);
+        while let Some(shape) = shapes.next().filter(|_| !is_useless(least)) {
+            least = shape.least_room(*area, least);
+        }
+        let Some([from, to]) = *leader else {
+            return least;
+        };
+        let line = Taken::new(&[from, to], 0.0);
+        let names = self.names.iter().map(|name| line.room(name.bounds()));
+        names.fold(least, f64::min)
     }
 
     fn crossings(&self, joint: [f64; 2], line: [[f64; 2]; 2]) -> f64 {

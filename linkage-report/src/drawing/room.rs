@@ -13,17 +13,53 @@ pub(super) type Area = [f64; 4];
 pub(super) struct Taken {
     places: Vec<[f64; 2]>,
     half: f64,
+    /// The box about the places.
+    bounds: Area,
 }
+
+/// Boxes whose distance is greater by more than this, in millimetres, are farther despite rounding.
+const ROUNDING: f64 = 1e-6;
 
 impl Taken {
     pub(super) fn new(places: &[[f64; 2]], half: f64) -> Self {
-        let places = Vec::from(places);
-        Self { places, half }
+        let mut bounds = [
+            f64::INFINITY,
+            f64::INFINITY,
+            f64::NEG_INFINITY,
+            f64::NEG_INFINITY,
+        ];
+        for [x, y] in places {
+            bounds[0] = bounds[0].min(*x);
+            bounds[1] = bounds[1].min(*y);
+            bounds[2] = bounds[2].max(*x);
+            bounds[3] = bounds[3].max(*y);
+        }
+        Self {
+            places: Vec::from(places),
+            half,
+            bounds,
+        }
+    }
+
+    /// Returns the box about the shape, its stroke aside.
+    pub(super) fn bounds(&self) -> Area {
+        self.bounds
     }
 
     pub(super) fn from_area([left, top, right, bottom]: Area) -> Self {
         let corners = [[left, top], [right, top], [right, bottom], [left, bottom]];
         Self::new(&corners, 0.0)
+    }
+
+    /// Returns the smaller one of a distance and the distance of a box from the shape. Most shapes
+    /// are farther away, which the boxes about them show.
+    pub(super) fn least_room(&self, area: Area, known: f64) -> f64 {
+        let aside = (self.bounds[0] - area[2]).max(area[0] - self.bounds[2]);
+        let above = (self.bounds[1] - area[3]).max(area[1] - self.bounds[3]);
+        if aside.max(0.0).hypot(above.max(0.0)) - self.half > known + ROUNDING {
+            return known;
+        }
+        known.min(self.room(area))
     }
 
     /// Returns the distance of a box from the shape, negative or zero where the box covers it.
@@ -108,6 +144,21 @@ mod tests {
         let around = [[-9.0, -9.0], [9.0, -9.0], [0.0, 20.0]];
         assert_eq!(Taken::new(&around, 0.25).room(area), -0.25);
         assert_eq!(Taken::from_area([5.0, 0.0, 6.0, 1.0]).room(area), 1.0);
+    }
+
+    #[test]
+    fn the_least_room_is_that_of_the_nearest_shape() {
+        let area = [0.0, 0.0, 4.0, 2.0];
+        let shapes = [
+            Taken::new(&[[7.0, 6.0]], 1.0),
+            Taken::new(&[[6.0, -9.0], [9.0, 9.0]], 0.5),
+            Taken::new(&[[-9.0, -9.0], [9.0, -9.0], [0.0, 20.0]], 0.25),
+        ];
+        for known in [9.0, 4.5, 4.0, 1.5, 0.0, -0.1, -3.0] {
+            for shape in &shapes {
+                assert_eq!(shape.least_room(area, known), known.min(shape.room(area)));
+            }
+        }
     }
 
     #[test]
