@@ -40,6 +40,7 @@ mod summary;
 mod tables;
 mod traced_points;
 mod version;
+mod view;
 mod write;
 
 pub use accuracy::BandKind;
@@ -53,3 +54,5 @@ pub use linkage_formats::{CsvStyle, Mistake, ReportError};
 pub use plot::Plot;
 pub use row::SummaryRow;
 pub use version::show_mistakes;
+#[doc(hidden)]
+pub use view::{PageView, page_view};

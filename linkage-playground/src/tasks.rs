@@ -1,0 +1,42 @@
+//! Requests and their answers.
+
+use serde_json::{Value, json};
+
+use crate::{analysis, benchmark, bits, examples, exports};
+
+/// Answers a request: an object of JSON whose field `do` has the name of the work.
+///
+/// | `do` | further fields | answer |
+/// |---|---|---|
+/// | `analyse` | `text` | lines: messages with their places, then data and programs of each page |
+/// | `export` | `text`, `format`, `mechanism` | files with their names |
+/// | `examples` | | texts to choose from |
+/// | `values` | `text`, `steps` | all functions over the first input, as bits |
+/// | `sweep` | `text`, `function`, `positions`, `repeats` | a sum of all results |
+///
+/// A request that cannot be answered has the field `failure` in its answer.
+#[must_use]
+pub fn answer(request: &str) -> String {
+    let answered = serde_json::from_str::<Value>(request)
+        .map_err(|error| error.to_string())
+        .and_then(|request| answered(&request));
+    answered.unwrap_or_else(|failure| json!({ "failure": failure }).to_string())
+}
+
+fn answered(request: &Value) -> Result<String, String> {
+    let text = |name: &str| request[name].as_str().unwrap_or_default();
+    let count = |name: &str| request[name].as_u64().unwrap_or_default() as usize;
+    match text("do") {
+        "analyse" => Ok(analysis::analysis(text("text"))),
+        "export" => exports::export(text("text"), text("format"), text("mechanism")),
+        "examples" => Ok(examples::examples()),
+        "values" => bits::values(text("text"), count("steps")),
+        "sweep" => benchmark::sweep(
+            text("text"),
+            text("function"),
+            count("positions"),
+            count("repeats"),
+        ),
+        other => Err(format!("there is no work `{other}`")),
+    }
+}
