@@ -29,13 +29,7 @@ pub(crate) fn look_alikes(source: &Source, found: &MechanismCall, coloured: bool
             }
             Some(first) if !look_alike(&name, first) => {}
             Some(first) => {
-                let message = Message {
-                    span: SourceSpan {
-                        first: span,
-                        last: span,
-                    },
-                    text: warning(&name, first),
-                };
+                let message = Message::new(SourceSpan::single(span), &warning(&name, first));
                 text += &rendered_warning(source, found, &message, coloured);
             }
         }

@@ -18,6 +18,8 @@ use crate::{model, pipeline};
 pub struct Checked {
     /// Its name, if it has one.
     pub name: Option<String>,
+    /// Its names and types, if there is no mistake in them.
+    pub model: Option<Rc<Model>>,
     /// Its programs, if there is no mistake.
     pub unit: Option<CompiledMechanism>,
     /// Its programs, if its declared ranges are refused and there is no other mistake: its
@@ -146,6 +148,7 @@ impl Driver {
         if self.mechanisms.is_empty() {
             return vec![Checked {
                 name: None,
+                model: None,
                 unit: None,
                 out_of_range: None,
                 messages: syntax,
@@ -220,6 +223,7 @@ impl Analysed {
         };
         Checked {
             name: Some(self.definition.title()),
+            model: self.model,
             unit,
             out_of_range,
             messages,

@@ -19,6 +19,21 @@ pub struct Message {
     /// The fact, in lower case, names in back-ticks. If possible, a second line `help: ...` names
     /// the text to write.
     pub text: String,
+    /// Changes of the source that editors offer.
+    pub suggestions: Vec<Suggestion>,
+    /// True for another place of the mistake that the message before it reports.
+    pub is_related: bool,
+}
+
+/// A change of the source that follows the advice of a message.
+#[derive(Clone, Debug)]
+pub struct Suggestion {
+    /// The change in a few words, as in a menu.
+    pub title: String,
+    /// The words that are replaced.
+    pub span: SourceSpan,
+    /// The text instead of them.
+    pub replacement: String,
 }
 
 /// The key by which messages are sorted, whenever they are found.
@@ -77,29 +92,43 @@ impl<'a> Reporter<'a> {
     }
 
     /// See [`Diagnostics::error`].
-    pub fn error(&mut self, origin: OriginId, message: impl Into<String>) {
+    pub fn error(&mut self, origin: OriginId, message: impl Into<String>) -> &mut Message {
         let message = self.within_part(origin, message.into());
         let span = self.origins.span(origin);
-        self.diagnostics.error_in(self.section, span, message);
+        self.diagnostics.error_in(self.section, span, message)
     }
 
     /// See [`Diagnostics::error_with_help`].
-    pub fn error_with_help(&mut self, origin: OriginId, fact: impl Display, help: impl Display) {
-        self.error(origin, format!("{fact}\nhelp: {help}"));
+    pub fn error_with_help(
+        &mut self,
+        origin: OriginId,
+        fact: impl Display,
+        help: impl Display,
+    ) -> &mut Message {
+        self.error(origin, format!("{fact}\nhelp: {help}"))
     }
 
     /// Reports at all tokens from one place to another.
-    pub fn error_between(&mut self, [first, last]: [OriginId; 2], message: impl Into<String>) {
+    pub fn error_between(
+        &mut self,
+        [first, last]: [OriginId; 2],
+        message: impl Into<String>,
+    ) -> &mut Message {
         let span = self.origins.span(first).to(self.origins.span(last));
         let message = self.within_part(first, message.into());
-        self.diagnostics.error_in(self.section, span, message);
+        self.diagnostics.error_in(self.section, span, message)
     }
 
     /// A warning, printed if there is no mistake.
-    pub fn warning_with_help(&mut self, origin: OriginId, fact: impl Display, help: impl Display) {
+    pub fn warning_with_help(
+        &mut self,
+        origin: OriginId,
+        fact: impl Display,
+        help: impl Display,
+    ) -> &mut Message {
         let span = self.origins.span(origin);
         let message = Message::new(span, &format!("{fact}\nhelp: {help}"));
-        self.diagnostics.warnings.insert(self.section, message);
+        self.diagnostics.warnings.insert(self.section, message)
     }
 
     /// Begins a message about a part with the name of the part: the words at fault are those of the
@@ -123,9 +152,28 @@ impl<'a> Reporter<'a> {
 }
 
 impl Message {
-    fn new(span: SourceSpan, text: &str) -> Self {
-        let text = text::short_words(text);
-        Self { span, text }
+    /// A message without a suggestion.
+    pub fn new(span: SourceSpan, text: &str) -> Self {
+        Self {
+            span,
+            text: text::short_words(text),
+            suggestions: Vec::new(),
+            is_related: false,
+        }
+    }
+
+    /// Adds a change that follows the advice.
+    pub fn suggest(
+        &mut self,
+        title: impl Into<String>,
+        span: SourceSpan,
+        replacement: impl Into<String>,
+    ) {
+        self.suggestions.push(Suggestion {
+            title: title.into(),
+            span,
+            replacement: replacement.into(),
+        });
     }
 }
 
@@ -134,9 +182,10 @@ impl Message {
 struct Sorted(Vec<(Section, Message)>);
 
 impl Sorted {
-    fn insert(&mut self, section: Section, message: Message) {
+    fn insert(&mut self, section: Section, message: Message) -> &mut Message {
         let end = self.0.partition_point(|(other, _)| *other <= section);
         self.0.insert(end, (section, message));
+        &mut self.0[end].1
     }
 
     fn append(&mut self, other: Self) {
@@ -182,18 +231,28 @@ impl Diagnostics {
     }
 
     /// Fact first, lower case, names in back-ticks; a second line `help: ...` says what to write.
-    pub fn error(&mut self, span: SourceSpan, message: impl Into<String>) {
-        self.error_in(Section::Mechanism, span, message);
+    pub fn error(&mut self, span: SourceSpan, message: impl Into<String>) -> &mut Message {
+        self.error_in(Section::Mechanism, span, message)
     }
 
-    fn error_in(&mut self, section: Section, span: SourceSpan, message: impl Into<String>) {
+    fn error_in(
+        &mut self,
+        section: Section,
+        span: SourceSpan,
+        message: impl Into<String>,
+    ) -> &mut Message {
         let message = Message::new(span, &message.into());
-        self.mistakes.insert(section, message);
+        self.mistakes.insert(section, message)
     }
 
     /// Adds a message as [`error`](Self::error) does, with the second line as a separate argument.
-    pub fn error_with_help(&mut self, span: SourceSpan, fact: impl Display, help: impl Display) {
-        self.error(span, format!("{fact}\nhelp: {help}"));
+    pub fn error_with_help(
+        &mut self,
+        span: SourceSpan,
+        fact: impl Display,
+        help: impl Display,
+    ) -> &mut Message {
+        self.error(span, format!("{fact}\nhelp: {help}"))
     }
 
     /// Adds the messages of another sink after those of this one.

@@ -65,7 +65,8 @@ pub(super) fn check_ranges<'m>(
             let dimension = algebra.mechanism.inputs[*input].dimension;
             if let Some(at) = ranges.first_failure(*input, dimension) {
                 let apart = ranges.apart(algebra, at);
-                return reporter.error_between(apart.origins, apart.message);
+                reporter.error_between(apart.origins, apart.message);
+                return;
             }
         }
         ([], _) => warn_of_change_point(algebra, &mut ranges, reporter),

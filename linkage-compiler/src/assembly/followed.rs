@@ -209,7 +209,8 @@ pub(super) fn without_equations<'m>(assembly: &mut Assembly<'_, 'm>, solved: &So
     let position = assembly.words.at_reference(&assembly.nominal.inputs);
     if let Some((part, fact)) = refusal::loops_without_value(assembly, &solved.group.loops) {
         let fact = format!("{loops} ({unknowns}) cannot be solved{position}: {fact}");
-        return assembly.reporter.error_with_help(part, fact, WITHIN_RANGE);
+        assembly.reporter.error_with_help(part, fact, WITHIN_RANGE);
+        return;
     }
     let origin = assembly.algebra.mechanism.loops[solved.group.loops[0]].origin;
     assembly.reporter.error(

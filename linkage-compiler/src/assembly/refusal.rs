@@ -35,7 +35,8 @@ pub(super) fn refuse<'m>(assembly: &mut Assembly<'_, 'm>, solved: &Solved<'m>, v
     let position = assembly.words.at_reference(&assembly.nominal.inputs);
     if let Some((fact, help)) = degenerate::degenerate(assembly, solved) {
         let fact = format!("{loops} cannot be solved for {unknowns}{position}: {fact}");
-        return assembly.reporter.error_with_help(origin, fact, help);
+        assembly.reporter.error_with_help(origin, fact, help);
+        return;
     }
     if assembly.size > LARGEST && !matches!(verdict, Verdict::Open(_)) {
         let size = assembly.words.scalar(Dimension::LENGTH, assembly.size);
@@ -44,7 +45,8 @@ pub(super) fn refuse<'m>(assembly: &mut Assembly<'_, 'm>, solved: &Solved<'m>, v
                  {LARGEST:e} is beyond the largest one"
         );
         let help = "choose a length unit in which the numbers are smaller";
-        return assembly.reporter.error_with_help(origin, fact, help);
+        assembly.reporter.error_with_help(origin, fact, help);
+        return;
     }
     let without_value = match verdict {
         Verdict::NotFinite => loops_without_value(assembly, &solved.group.loops),
@@ -52,7 +54,8 @@ pub(super) fn refuse<'m>(assembly: &mut Assembly<'_, 'm>, solved: &Solved<'m>, v
     };
     if let Some((part, fact)) = without_value {
         let fact = format!("{loops} ({unknowns}) cannot be solved{position}: {fact}");
-        return assembly.reporter.error_with_help(part, fact, WITHIN_RANGE);
+        assembly.reporter.error_with_help(part, fact, WITHIN_RANGE);
+        return;
     }
     let (fact, help) = match verdict {
         Verdict::NotFinite => (

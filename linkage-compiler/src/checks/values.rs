@@ -52,7 +52,7 @@ pub(crate) fn check_values(mechanism: &Mechanism, nominal: &Nominal, reporter: &
         match found.fatal {
             true => reporter.error_with_help(found.expr.origin, fact, help),
             false => reporter.warning_with_help(found.expr.origin, fact, help),
-        }
+        };
     }
 }
 

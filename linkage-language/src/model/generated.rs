@@ -6,12 +6,19 @@ use crate::syntax::vocabulary;
 vocabulary! {
     /// Functions that are generated in addition to a function `NAME`, by the suffix of the name.
     pub enum Sweep {
+        /// Returns new columns.
         Owned = "_sweep",
+        /// Writes into columns.
         Into = "_sweep_into",
+        /// Writes into slices.
         Slices = "_sweep_slices",
+        /// Writes into columns, on all cores.
         ParallelInto = "_sweep_parallel_into",
+        /// Returns the columns of several sets of dimensions.
         Sets = "_sweep_sets",
+        /// Writes the columns of several sets of dimensions.
         SetsInto = "_sweep_sets_into",
+        /// Writes the columns of several sets of dimensions, on all cores.
         SetsParallelInto = "_sweep_sets_parallel_into",
     }
 }

@@ -15,16 +15,27 @@ vocabulary! {
 vocabulary! {
     /// Items that declare something with `=`, and the unit.
     pub enum DeclarationWord {
+        /// The length unit of fields and results.
         Unit = "unit",
+        /// A value that is known at compile time.
         Const = "const",
+        /// A dimension, which can change at run time; a tolerance may follow after `+-`.
         Param = "param",
+        /// A driving coordinate: its reference position, and after `in` the range in which the mechanism must work.
         Input = "input",
+        /// An angle, a length, a point or a frame that the loops determine, with its estimate.
         Unknown = "unknown",
+        /// A derived quantity of the names before it.
         Let = "let",
+        /// An equation that the links close, of vectors or of numbers.
         Loop = "loop",
+        /// A number that functions take besides inputs, such as a load.
         Argument = "argument",
+        /// Another mechanism within this one.
         Part = "part",
+        /// The acceleration of gravity.
         Gravity = "gravity",
+        /// A link with mass, which a joint attaches to another one.
         Body = "body",
     }
 }
@@ -32,9 +43,13 @@ vocabulary! {
 vocabulary! {
     /// Items without a name and without `=`.
     pub enum LoadWord {
+        /// A force on a body at a point.
         Force = "force",
+        /// A torque on a body.
         Torque = "torque",
+        /// A spring between two bodies or in a joint.
         Spring = "spring",
+        /// A damper between two bodies or in a joint.
         Damper = "damper",
     }
 }
@@ -42,11 +57,17 @@ vocabulary! {
 vocabulary! {
     /// Items that describe a mechanism by its joints and links.
     pub enum LinkedWord {
+        /// Joints with the positions of a drawing.
         Joint = "joint",
+        /// A rigid link by the names of its joints.
         Link = "link",
+        /// A joint that slides along a line or an arc of a link.
         Slider = "slider",
+        /// Two outer gears, which turn in opposite directions.
         Gears = "gears",
+        /// A belt or chain over two wheels, which turn in one direction.
         Belt = "belt",
+        /// Links that are one body.
         Weld = "weld",
     }
 }
@@ -54,16 +75,27 @@ vocabulary! {
 vocabulary! {
     /// The word that a clause of a body, a joint or a load begins with.
     pub enum ClauseWord {
+        /// The body that carries it.
         On = "on",
+        /// The point, direction or position of it; the speed and acceleration of an input.
         At = "at",
+        /// The direction in which it slides.
         Along = "along",
+        /// The axis about which it turns.
         About = "about",
+        /// The angle of the body.
         Turns = "turns",
+        /// The angle of a part.
         Turned = "turned",
+        /// The mass and its point.
         Mass = "mass",
+        /// The moment of inertia.
         Inertia = "inertia",
+        /// The body that takes the opposite force, or the first end.
         From = "from",
+        /// The second end.
         To = "to",
+        /// The length or angle without force.
         Free = "free",
     }
 }
@@ -71,11 +103,17 @@ vocabulary! {
 vocabulary! {
     /// The kind of a joint: the motions that it permits.
     pub enum JointKind {
+        /// A joint about which two bodies turn.
         Pin = "pin",
+        /// A joint along which two bodies slide without turning.
         Slide = "slide",
+        /// A pin in a slot: two bodies turn and slide.
         Roller = "roller",
+        /// A joint that allows all rotations.
         Ball = "ball",
+        /// A joint that turns about an axis and slides along it.
         Cylinder = "cylinder",
+        /// A joint without motion: both bodies are one.
         Fixed = "fixed",
     }
 }

@@ -17,10 +17,15 @@ use crate::diagnostic::text::{list, nearest};
 vocabulary! {
     /// The word that a clause of a link begins with.
     enum LinkClause {
+        /// The direction from the first joint to the second.
         At = "at",
+        /// The distance of the first two joints.
         Length = "length",
+        /// The axis of a hinge in space.
         About = "about",
+        /// A mass at a point.
         Mass = "mass",
+        /// A moment of inertia.
         Inertia = "inertia",
     }
 }

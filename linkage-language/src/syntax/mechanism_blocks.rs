@@ -162,7 +162,8 @@ impl Parser<'_> {
             self.diagnostics
                 .error_with_help(name.into(), fact, "choose another name");
             let fact = format!("`{name}` is first defined here");
-            self.diagnostics.error((&first.name).into(), fact);
+            let related = self.diagnostics.error((&first.name).into(), fact);
+            related.is_related = true;
         }
         *mechanisms = kept;
     }

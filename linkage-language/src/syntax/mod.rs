@@ -37,12 +37,15 @@ pub use ast::*;
 pub use dump::dump;
 pub use expression_tree::*;
 pub use item_name::ItemName;
-pub use keyword::JointKind;
+pub use keyword::{ClauseWord, DeclarationWord, ItemWord, JointKind, LinkedWord, LoadWord};
 pub use linked_tree::*;
 pub use mechanics_tree::*;
 pub use mechanism_blocks::parse;
 pub use mechanism_text::mechanism_text;
 pub use spelling::units_within;
-pub use units::{Scale, UnitOfMeasure, find_unit, first_spelling, is_meant_as_unit, is_unit};
+pub use units::{
+    Scale, UnitOfMeasure, find_unit, first_spelling, is_meant_as_unit, is_unit, unit_description,
+    unit_names,
+};
 pub use vocabulary::Word;
 pub(crate) use vocabulary::vocabulary;

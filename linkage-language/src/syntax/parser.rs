@@ -106,7 +106,7 @@ impl<'a> Parser<'a> {
         match help {
             "" => self.diagnostics.error(span, fact.as_ref()),
             _ => self.diagnostics.error_with_help(span, fact.as_ref(), help),
-        }
+        };
         Err(Reported)
     }
 

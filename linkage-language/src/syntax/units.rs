@@ -73,49 +73,72 @@ const TURN_IN_A_MINUTE: UnitOfMeasure = UnitOfMeasure {
     ..RADIAN.half_turns(&[(30, -1)])
 };
 
-/// Spellings, the first of which messages list.
-const UNITS: [(&[&str], UnitOfMeasure); 35] = [
-    (&["m"], METRE),
-    (&["mm"], METRE.shifted(-3)),
-    (&["cm"], METRE.shifted(-2)),
+/// Spellings, the first of which messages list, its name and its size.
+type Row = (&'static [&'static str], &'static str, UnitOfMeasure);
+
+const UNITS: [Row; 35] = [
+    (&["m"], "metre", METRE),
+    (&["mm"], "millimetre", METRE.shifted(-3)),
+    (&["cm"], "centimetre", METRE.shifted(-2)),
     // The micro sign and the Greek letter look alike.
-    (&["um", "\u{b5}m", "\u{3bc}m"], METRE.shifted(-6)),
-    (&["nm"], METRE.shifted(-9)),
-    (&["inch"], INCH),
-    (&["ft"], FOOT),
-    (&["deg"], RADIAN.half_turns(&[(180, -1)])),
-    (&["rad"], RADIAN),
-    (&["arcmin"], RADIAN.half_turns(&[(180 * 60, -1)])),
-    (&["arcsec"], RADIAN.half_turns(&[(180 * 3600, -1)])),
-    (&["turn"], RADIAN.half_turns(&[(2, 1)])),
-    (&["kg"], KILOGRAM),
-    (&["g"], KILOGRAM.shifted(-3)),
-    (&["mg"], KILOGRAM.shifted(-6)),
-    (&["t"], KILOGRAM.shifted(3)),
-    (&["lb"], POUND),
-    (&["N"], NEWTON),
-    (&["mN"], NEWTON.shifted(-3)),
-    (&["kN"], NEWTON.shifted(3)),
-    (&["lbf"], POUND_OF_FORCE),
-    (&["s"], SECOND),
-    (&["ms"], SECOND.shifted(-3)),
-    (&["min"], MINUTE),
-    (&["rpm"], TURN_IN_A_MINUTE),
-    (&["J"], JOULE),
-    (&["mJ"], JOULE.shifted(-3)),
-    (&["kJ"], JOULE.shifted(3)),
-    (&["W"], WATT),
-    (&["mW"], WATT.shifted(-3)),
-    (&["kW"], WATT.shifted(3)),
-    (&["Pa"], PASCAL),
-    (&["kPa"], PASCAL.shifted(3)),
-    (&["MPa"], PASCAL.shifted(6)),
-    (&["psi"], POUND_ON_SQUARE_INCH),
+    (
+        &["um", "\u{b5}m", "\u{3bc}m"],
+        "micrometre",
+        METRE.shifted(-6),
+    ),
+    (&["nm"], "nanometre", METRE.shifted(-9)),
+    (&["inch"], "inch, 25.4 mm", INCH),
+    (&["ft"], "foot, 12 inches", FOOT),
+    (&["deg"], "degree", RADIAN.half_turns(&[(180, -1)])),
+    (&["rad"], "radian", RADIAN),
+    (
+        &["arcmin"],
+        "minute of arc",
+        RADIAN.half_turns(&[(180 * 60, -1)]),
+    ),
+    (
+        &["arcsec"],
+        "second of arc",
+        RADIAN.half_turns(&[(180 * 3600, -1)]),
+    ),
+    (&["turn"], "turn, 360 degrees", RADIAN.half_turns(&[(2, 1)])),
+    (&["kg"], "kilogram", KILOGRAM),
+    (&["g"], "gram", KILOGRAM.shifted(-3)),
+    (&["mg"], "milligram", KILOGRAM.shifted(-6)),
+    (&["t"], "tonne", KILOGRAM.shifted(3)),
+    (&["lb"], "pound, 0.45359237 kg", POUND),
+    (&["N"], "newton", NEWTON),
+    (&["mN"], "millinewton", NEWTON.shifted(-3)),
+    (&["kN"], "kilonewton", NEWTON.shifted(3)),
+    (&["lbf"], "pound of force", POUND_OF_FORCE),
+    (&["s"], "second", SECOND),
+    (&["ms"], "millisecond", SECOND.shifted(-3)),
+    (&["min"], "minute", MINUTE),
+    (&["rpm"], "turns in a minute", TURN_IN_A_MINUTE),
+    (&["J"], "joule", JOULE),
+    (&["mJ"], "millijoule", JOULE.shifted(-3)),
+    (&["kJ"], "kilojoule", JOULE.shifted(3)),
+    (&["W"], "watt", WATT),
+    (&["mW"], "milliwatt", WATT.shifted(-3)),
+    (&["kW"], "kilowatt", WATT.shifted(3)),
+    (&["Pa"], "pascal", PASCAL),
+    (&["kPa"], "kilopascal", PASCAL.shifted(3)),
+    (&["MPa"], "megapascal", PASCAL.shifted(6)),
+    (
+        &["psi"],
+        "pound of force on a square inch",
+        POUND_ON_SQUARE_INCH,
+    ),
 ];
 
 /// The units as messages list them.
 pub fn unit_names() -> impl Iterator<Item = &'static str> {
-    UNITS.iter().map(|(spellings, _)| spellings[0])
+    UNITS.iter().map(|(spellings, ..)| spellings[0])
+}
+
+/// Returns the full name of a unit, in any spelling: `millimetre`.
+pub fn unit_description(name: &str) -> Option<&'static str> {
+    row(name).map(|(_, description, _)| *description)
 }
 
 /// Returns true for the suffix of a literal.
@@ -131,18 +154,18 @@ pub fn is_meant_as_unit(name: &str) -> bool {
 
 /// The unit of this name, in any spelling.
 pub fn find_unit(name: &str) -> Option<UnitOfMeasure> {
-    row(name).map(|(_, unit)| *unit)
+    row(name).map(|(.., unit)| *unit)
 }
 
 /// The spelling of a unit that messages list.
 pub fn first_spelling(name: &str) -> Option<&'static str> {
-    row(name).map(|(spellings, _)| spellings[0])
+    row(name).map(|(spellings, ..)| spellings[0])
 }
 
-fn row(name: &str) -> Option<&'static (&'static [&'static str], UnitOfMeasure)> {
+fn row(name: &str) -> Option<&'static Row> {
     UNITS
         .iter()
-        .find(|(spellings, _)| spellings.contains(&name))
+        .find(|(spellings, ..)| spellings.contains(&name))
 }
 
 impl UnitOfMeasure {
@@ -171,7 +194,7 @@ mod tests {
     fn no_spelling_stands_twice() {
         let mut spellings: Vec<&str> = UNITS
             .iter()
-            .flat_map(|(spellings, _)| spellings.iter().copied())
+            .flat_map(|(spellings, ..)| spellings.iter().copied())
             .collect();
         let count = spellings.len();
         spellings.sort_unstable();

@@ -9,6 +9,9 @@ pub trait Word: Copy + 'static {
     /// Returns the word as it is written.
     fn word(self) -> &'static str;
 
+    /// Returns its meaning in a line of Markdown: the doc comment of its row.
+    fn description(self) -> &'static str;
+
     /// Returns the meaning of a written word.
     fn from_word(word: &str) -> Option<Self> {
         Self::all().find(|candidate| candidate.word() == word)
@@ -17,13 +20,15 @@ pub trait Word: Copy + 'static {
 
 /// An enum of words, or of several such enums together, which is a [`Word`].
 ///
+/// The doc comment of a row is its meaning, for readers of the code as for editors.
+///
 /// Code that handles every word matches all variants without `_`, so a new word does not compile
 /// before all places handle it.
 macro_rules! vocabulary {
-    ($(#[$meta:meta])* $vis:vis enum $name:ident { $($(#[$doc:meta])* $variant:ident = $word:literal,)+ }) => {
+    ($(#[$meta:meta])* $vis:vis enum $name:ident { $(#[doc = $doc:literal] $variant:ident = $word:literal,)+ }) => {
         $(#[$meta])*
         #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-        $vis enum $name { $($(#[$doc])* $variant,)+ }
+        $vis enum $name { $(#[doc = $doc] $variant,)+ }
 
         impl $crate::syntax::Word for $name {
             fn all() -> impl Iterator<Item = Self> {
@@ -32,6 +37,10 @@ macro_rules! vocabulary {
 
             fn word(self) -> &'static str {
                 match self { $(Self::$variant => $word,)+ }
+            }
+
+            fn description(self) -> &'static str {
+                match self { $(Self::$variant => $doc.trim_ascii(),)+ }
             }
         }
     };
@@ -47,6 +56,10 @@ macro_rules! vocabulary {
 
             fn word(self) -> &'static str {
                 match self { $(Self::$variant(inner) => inner.word(),)+ }
+            }
+
+            fn description(self) -> &'static str {
+                match self { $(Self::$variant(inner) => inner.description(),)+ }
             }
         }
     };

@@ -97,7 +97,7 @@ pub(in crate::model) fn refuse_argument_type<T>(
     match help {
         "" => sink.error(span, fact),
         _ => sink.error_with_help(span, fact, help),
-    }
+    };
     None
 }
 

@@ -113,7 +113,8 @@ pub(in crate::model) fn report_duplicate(
     first: SourceSpan,
 ) {
     sink.error_with_help(span, fact, "choose another name");
-    sink.error(first, format!("`{text}` is first defined here"));
+    let related = sink.error(first, format!("`{text}` is first defined here"));
+    related.is_related = true;
 }
 
 pub(in crate::model) fn check_reserved<'n, N: Display>(sink: &mut Sink, ident: &'n N)

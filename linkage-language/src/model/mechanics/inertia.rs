@@ -85,7 +85,7 @@ fn resolve_matrix(
             let [first, second] =
                 [&matrix[i][j], &matrix[j][i]].map(|entry| sink.span(entry.origin));
             sink.error_with_help(second, fact, help);
-            sink.error(first, "the other one is here");
+            sink.error(first, "the other one is here").is_related = true;
         }
     }
     Inertia::Tensor(Box::new(matrix))

@@ -3,7 +3,7 @@
 
 use std::fmt::Display;
 
-use crate::diagnostic::{Diagnostics, OriginId, Origins, SourceSpan};
+use crate::diagnostic::{Diagnostics, Message, OriginId, Origins, SourceSpan};
 use crate::model::types::Name;
 
 /// Collects results of resolving that are no expressions.
@@ -19,8 +19,12 @@ pub(in crate::model) struct Sink {
 
 impl Sink {
     /// Adds a message without a second line.
-    pub(in crate::model) fn error(&mut self, span: SourceSpan, message: impl Into<String>) {
-        self.diagnostics.error(span, message);
+    pub(in crate::model) fn error(
+        &mut self,
+        span: SourceSpan,
+        message: impl Into<String>,
+    ) -> &mut Message {
+        self.diagnostics.error(span, message)
     }
 
     /// Adds a message with a second line that contains the text to write.
@@ -29,8 +33,8 @@ impl Sink {
         span: SourceSpan,
         fact: impl Display,
         help: impl Display,
-    ) {
-        self.diagnostics.error_with_help(span, fact, help);
+    ) -> &mut Message {
+        self.diagnostics.error_with_help(span, fact, help)
     }
 
     /// Returns the number of a new origin.

@@ -7,31 +7,57 @@ use crate::syntax::{Word, vocabulary};
 vocabulary! {
     /// A function of expressions.
     pub enum Function {
+        /// The plane vector of a length at an angle from the x axis.
         Polar = "polar",
+        /// The unit vector at an angle from the x axis.
         Dir = "dir",
+        /// A plane vector turned by an angle.
         Rotate = "rotate",
+        /// A space vector turned about an axis through the origin, right-handed.
         Turn = "turn",
+        /// The scalar product of two vectors.
         Dot = "dot",
+        /// The cross product of two vectors: a scalar in the plane, a vector in space.
         Cross = "cross",
+        /// The length of a vector.
         Norm = "norm",
+        /// The distance of two points.
         Distance = "distance",
+        /// The vector divided by its length.
         Unit = "unit",
+        /// The angle of a plane vector from the x axis, from -180 to 180 degrees.
         Angle = "angle",
+        /// The angle between the sides `a` and `b` of a triangle, opposite to `c`.
         TriangleAngle = "triangle_angle",
+        /// The sine of an angle.
         Sin = "sin",
+        /// The cosine of an angle.
         Cos = "cos",
+        /// The tangent of an angle.
         Tan = "tan",
+        /// The angle of this sine, from -90 to 90 degrees.
         Asin = "asin",
+        /// The angle of this cosine, from 0 to 180 degrees.
         Acos = "acos",
+        /// The angle of this tangent, from -90 to 90 degrees.
         Atan = "atan",
+        /// The angle of the vector `(x, y)` from the x axis, from -180 to 180 degrees.
         Atan2 = "atan2",
+        /// The square root; it halves the power of length.
         Sqrt = "sqrt",
+        /// The square root of `a * a + b * b`.
         Hypot = "hypot",
+        /// The absolute value.
         Abs = "abs",
+        /// The smaller value.
         Min = "min",
+        /// The larger value.
         Max = "max",
+        /// A frame that moves with a body: origin and x axis in the plane, in space the plane of x and z, too.
         Frame = "frame",
+        /// The fixed coordinates of a point that is given in a frame.
         PointIn = "point_in",
+        /// The coordinates of a fixed point in a frame.
         CoordinatesIn = "coordinates_in",
     }
 }
@@ -39,9 +65,13 @@ vocabulary! {
 vocabulary! {
     /// Functions that depend on a list of knots or on a word.
     pub enum MotionLawWord {
+        /// Goes from 0 to 1 while `x` does, by a law of motion.
         Rise = "rise",
+        /// A course from knot to knot, each piece by a law of motion.
         Piecewise = "piecewise",
+        /// A smooth course through points.
         Spline = "spline",
+        /// The derivative of a course with respect to its `x`.
         Slope = "slope",
     }
 }
@@ -57,17 +87,29 @@ vocabulary! {
 vocabulary! {
     /// Quantities of the motion.
     pub enum MotionWord {
+        /// The partial derivative with respect to inputs or parameters.
         Derivative = "d",
+        /// The derivative with respect to the input of the function; with several inputs an array.
         Velocity = "velocity",
+        /// The second derivative with respect to the input of the function.
         Acceleration = "acceleration",
+        /// The third derivative with respect to the input of the function.
         Jerk = "jerk",
+        /// The angular velocity of a frame with respect to the input.
         Omega = "omega",
+        /// The angular acceleration of a frame with respect to the input.
         Alpha = "alpha",
+        /// A point of the screw axis about which a frame turns.
         ScrewPoint = "screw_point",
+        /// The direction of the screw axis about which a frame turns.
         ScrewDirection = "screw_direction",
+        /// The shift of a frame along its screw axis for each radian.
         ScrewPitch = "screw_pitch",
+        /// The derivatives with respect to the scalar parameters, all or those of a list.
         Sensitivity = "sensitivity",
+        /// The distance of the nearest group from a dead point, from 0 to 1.
         Margin = "margin",
+        /// The points of all links, for drawings.
         Picture = "picture",
     }
 }
@@ -75,21 +117,30 @@ vocabulary! {
 vocabulary! {
     /// Quantities of forces and masses.
     pub enum MechanicsWord {
+        /// The force on the body of a joint from the body that it is attached to.
         Reaction = "reaction",
+        /// The moment on the body of a joint about the joint's point.
         Moment = "moment",
+        /// The torque of the drive at an input that is an angle.
         Torque = "torque",
+        /// The force of the drive at an input that is a length.
         Force = "force",
+        /// The power of all drives.
         Power = "power",
+        /// The kinetic energy of all bodies.
         KineticEnergy = "kinetic_energy",
+        /// The energy of gravity and springs.
         PotentialEnergy = "potential_energy",
+        /// The sum of the inertia forces on the frame.
         ShakingForce = "shaking_force",
+        /// The moment of the inertia forces about a fixed point, by default the origin.
         ShakingMoment = "shaking_moment",
     }
 }
 
 impl Function {
     /// Its arguments as messages show them.
-    pub(in crate::model) fn parameters(self) -> &'static [&'static str] {
+    pub fn parameters(self) -> &'static [&'static str] {
         match self {
             Function::Polar => &["length", "angle"],
             Function::Dir | Function::Sin | Function::Cos | Function::Tan => &["angle"],
@@ -185,7 +236,48 @@ impl Function {
     }
 }
 
+impl QuantityWord {
+    /// Returns the arguments of a call; those that may be left out end with `?`.
+    pub fn parameters(self) -> &'static [&'static str] {
+        match self {
+            QuantityWord::Motion(word) => word.parameters(),
+            QuantityWord::Mechanics(word) => word.parameters(),
+        }
+    }
+}
+
+impl MechanicsWord {
+    /// See [`QuantityWord::parameters`].
+    fn parameters(self) -> &'static [&'static str] {
+        match self {
+            MechanicsWord::Reaction | MechanicsWord::Moment => &["joint"],
+            MechanicsWord::Torque | MechanicsWord::Force => &["input"],
+            MechanicsWord::ShakingMoment => &["point?"],
+            MechanicsWord::Power
+            | MechanicsWord::KineticEnergy
+            | MechanicsWord::PotentialEnergy
+            | MechanicsWord::ShakingForce => &[],
+        }
+    }
+}
+
 impl MotionWord {
+    /// See [`QuantityWord::parameters`].
+    fn parameters(self) -> &'static [&'static str] {
+        match self {
+            MotionWord::Derivative => &["quantity", "variable", "variable?"],
+            MotionWord::Velocity | MotionWord::Acceleration | MotionWord::Jerk => &["quantity"],
+            MotionWord::Omega
+            | MotionWord::Alpha
+            | MotionWord::ScrewPoint
+            | MotionWord::ScrewDirection
+            | MotionWord::ScrewPitch => &["frame"],
+            MotionWord::Sensitivity => &["quantity", "[parameters]?"],
+            MotionWord::Margin => &[],
+            MotionWord::Picture => &["[points]?"],
+        }
+    }
+
     /// Returns the order of the derivative with respect to the inputs of the function.
     pub(in crate::model) fn order(self) -> Option<u8> {
         match self {
@@ -232,7 +324,7 @@ impl MotionWord {
 
 impl MotionLawWord {
     /// Returns the form of a call, for messages.
-    pub(in crate::model) fn form(self) -> &'static str {
+    pub fn form(self) -> &'static str {
         match self {
             MotionLawWord::Rise => "rise(x, law)",
             MotionLawWord::Piecewise => {

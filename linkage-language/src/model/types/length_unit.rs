@@ -5,10 +5,15 @@ use crate::syntax::{Word, first_spelling, vocabulary};
 vocabulary! {
     /// The length unit of fields and results.
     pub enum LengthUnit {
+        /// Metres.
         Metre = "m",
+        /// Millimetres.
         Millimetre = "mm",
+        /// Centimetres.
         Centimetre = "cm",
+        /// Micrometres.
         Micrometre = "um",
+        /// Inches of 25.4 mm.
         Inch = "inch",
     }
 }

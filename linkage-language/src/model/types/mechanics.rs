@@ -64,7 +64,9 @@ pub struct Element {
 vocabulary! {
     /// A passive element between two bodies.
     pub enum ElementKind {
+        /// A force or torque that grows with a length or angle.
         Spring = "spring",
+        /// A force or torque that grows with a speed.
         Damper = "damper",
     }
 }

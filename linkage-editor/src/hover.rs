@@ -1,0 +1,172 @@
+//! The description of the word at a place.
+
+use std::ops::Range;
+
+use linkage_language::model::{Ends, Function, Law, MotionLawWord, QuantityWord};
+use linkage_language::syntax::{ClauseWord, ItemWord, Word, first_spelling, unit_description};
+
+use crate::context::{next_solid, path_at};
+use crate::document::Document;
+use crate::lexer::Kind;
+use crate::outline::NameKind;
+use crate::shown;
+use crate::signature::{call_of_function, call_of_quantity};
+use crate::uses::{Symbol, Use, declaration};
+
+/// A description.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Hover {
+    /// The words that it describes.
+    pub range: Range<usize>,
+    /// Its text, in Markdown.
+    pub markdown: String,
+}
+
+/// Describes the word at a byte: kind, unit and value of a name, its range, its cost in
+/// operations and its comment; the meaning of a word of the language or a unit.
+pub(crate) fn hover(document: &Document, offset: usize) -> Option<Hover> {
+    let described = match document.use_at(offset) {
+        Some(found) => Hover {
+            range: found.range.clone(),
+            markdown: name_described(document, found),
+        },
+        None => word_described(document, offset)?,
+    };
+    Some(described)
+}
+
+/// Describes a word that is no declared name.
+fn word_described(document: &Document, offset: usize) -> Option<Hover> {
+    let index = document.token_at(offset)?;
+    let token = &document.tokens[index];
+    let text = token.text(&document.text);
+    let (range, markdown) = match token.kind {
+        Kind::Word => match quantity_of_link(document, index) {
+            Some((range, markdown)) => (range, markdown),
+            None => {
+                let is_called = next_solid(document, index) == "(";
+                (token.range.clone(), word(text, is_called)?)
+            }
+        },
+        Kind::Number => {
+            let digits = text.trim_end_matches(|c: char| c.is_alphabetic()).len();
+            let unit = unit(&text[digits..])?;
+            (token.range.start + digits..token.range.end, unit)
+        }
+        _ => return None,
+    };
+    Some(Hover { range, markdown })
+}
+
+/// Describes `coupler.length` at the word `length`.
+fn quantity_of_link(document: &Document, index: usize) -> Option<(Range<usize>, String)> {
+    let path = path_at(document, index)?;
+    let outline = document.outline_at(path.range.start)?;
+    let mechanism = &outline.mechanism.name;
+    let fact = document.facts(mechanism)?.names.get(&path.name)?;
+    let markdown = value_described(document, mechanism, &path.name, &format!("`{}`", path.name));
+    Some((path.range, format!("{markdown}\n\n{}", fact.ty)))
+}
+
+/// Describes a declared name.
+fn name_described(document: &Document, found: &Use) -> String {
+    let declared = declaration(&document.outlines, found.symbol);
+    let (outline, name, kind) = document.named(found.symbol);
+    let mechanism = &outline.mechanism.name;
+    let mut lines = match found.symbol {
+        Symbol::Name(..) => {
+            let fact = document
+                .facts(mechanism)
+                .and_then(|facts| facts.names.get(name));
+            let ty = fact.map_or_else(String::new, |fact| format!(": {}", fact.ty));
+            let head = format!("{} `{name}`{ty}", kind.word());
+            let mut lines = value_described(document, mechanism, name, &head);
+            lines += &effort(document, mechanism, name, kind);
+            lines
+        }
+        Symbol::Function(..) | Symbol::Field(..) | Symbol::Mechanism(_) => {
+            format!("{} `{name}`", kind.word())
+        }
+    };
+    if !declared.documentation.is_empty() {
+        lines += &format!("\n\n---\n\n{}", declared.documentation);
+    }
+    lines
+}
+
+/// Returns the heading, the value at the reference and the extremes over the range.
+fn value_described(document: &Document, mechanism: &str, name: &str, head: &str) -> String {
+    let mut lines = head.to_owned();
+    let (Some(values), Some(value)) = (document.values(mechanism), document.value(mechanism, name))
+    else {
+        return lines;
+    };
+    let present = match document.values_are_present() {
+        true => "",
+        false => " (before the last mistakes)",
+    };
+    lines += &format!(
+        "\n\n`{}` at the reference{present}",
+        shown::reference(value)
+    );
+    if let (Some(extremes), Some((input, unit, low, high))) =
+        (shown::extremes(value), &values.range)
+    {
+        let [low, high] = [low, high].map(|end| shown::number(*end, unit));
+        lines += &format!("\n\n{extremes} while `{input}` is {low} to {high}");
+    }
+    lines
+}
+
+/// Returns a line about the operations that a name costs.
+fn effort(document: &Document, mechanism: &str, name: &str, kind: NameKind) -> String {
+    match kind {
+        NameKind::Unknown | NameKind::Derived | NameKind::Joint | NameKind::Slider => document
+            .cost(mechanism, name)
+            .map_or_else(String::new, |cost| format!("\n\noperations: {cost}")),
+        NameKind::Mechanism
+        | NameKind::Constant
+        | NameKind::Parameter
+        | NameKind::Input
+        | NameKind::Argument
+        | NameKind::Part
+        | NameKind::Body
+        | NameKind::Link
+        | NameKind::Function
+        | NameKind::Field => String::new(),
+    }
+}
+
+/// Describes a word of the language.
+fn word(text: &str, is_called: bool) -> Option<String> {
+    if is_called {
+        let called = Function::from_word(text)
+            .map(|word| (call_of_function(word), word.description()))
+            .or_else(|| {
+                let word = QuantityWord::from_word(text)?;
+                Some((call_of_quantity(word), word.description()))
+            })
+            .or_else(|| {
+                let word = MotionLawWord::from_word(text)?;
+                Some((word.form().to_owned(), word.description()))
+            });
+        if let Some((call, description)) = called {
+            return Some(format!("`{call}`\n\n{description}"));
+        }
+    }
+    let description = ItemWord::from_word(text)
+        .map(Word::description)
+        .or_else(|| ClauseWord::from_word(text).map(Word::description))
+        .or_else(|| Law::from_word(text).map(Word::description))
+        .or_else(|| Ends::from_word(text).map(Word::description));
+    match description {
+        Some(description) => Some(format!("`{text}`\n\n{description}")),
+        None if text == "PI" => Some("`PI`\n\nHalf a turn, 3.14159...".to_owned()),
+        None => unit(text),
+    }
+}
+
+fn unit(text: &str) -> Option<String> {
+    let (first, description) = (first_spelling(text)?, unit_description(text)?);
+    Some(format!("unit `{first}`: {description}"))
+}

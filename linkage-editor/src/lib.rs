@@ -1,0 +1,55 @@
+//! Everything that an editor asks about a text of linkage: messages, hover, completion, navigation,
+//! formatting. No protocol and no files: a language server and a page in a browser have the same
+//! answers.
+//!
+#![doc = include_str!("../README.md")]
+//!
+//! | to | call |
+//! |---|---|
+//! | read a text, and each change of it | [`Document::new`], [`Document::set_text`], [`Document::edit`] |
+//! | show messages | [`Document::diagnostics`] |
+//! | describe the word under the pointer | [`Document::hover`] |
+//! | show values next to names | [`Document::hints`] |
+//! | complete the word before the caret | [`Document::completions`], [`Document::signature`] |
+//! | go to a declaration, list uses | [`Document::definition`], [`Document::references`] |
+//! | rename | [`Document::renamed`] |
+//! | list the names of a text | [`Document::symbols`] |
+//! | colour words | [`Document::words`] |
+//! | convert bytes to lines and columns | [`Lines`] |
+//!
+//! Places are bytes of the text.
+
+mod analysis;
+mod answers;
+mod completion;
+mod context;
+mod cursor;
+mod diagnostics;
+mod document;
+mod facts;
+mod hints;
+mod hover;
+mod lexer;
+mod navigation;
+mod outline;
+mod position;
+mod rename;
+mod repair;
+mod shown;
+mod signature;
+mod statements;
+mod symbols;
+mod uses;
+mod values;
+mod words;
+
+pub use completion::{Completion, CompletionKind};
+pub use diagnostics::{Diagnostic, Edit, Fix, Related, Severity};
+pub use document::Document;
+pub use hints::Hint;
+pub use hover::Hover;
+pub use outline::NameKind;
+pub use position::{Encoding, Lines, Position};
+pub use signature::Signature;
+pub use symbols::Symbol;
+pub use words::{Colour, ColouredWord};

@@ -1,0 +1,94 @@
+//! The words of a text by their meaning, for colours.
+
+use std::ops::Range;
+
+use linkage_language::model::{Function, Law, MotionLawWord, QuantityWord};
+use linkage_language::syntax::{ClauseWord, ItemWord, Word};
+
+use crate::context::next_solid;
+use crate::document::Document;
+use crate::lexer::Kind;
+use crate::outline::NameKind;
+
+/// A word with its meaning.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct ColouredWord {
+    /// The word.
+    pub range: Range<usize>,
+    /// Its meaning.
+    pub colour: Colour,
+}
+
+/// The meaning of a word.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Colour {
+    /// A word of the language.
+    Keyword,
+    /// A comment.
+    Comment,
+    /// A number without its unit.
+    Number,
+    /// A unit.
+    Unit,
+    /// A function or quantity.
+    Function,
+    /// A declared name.
+    Name(NameKind),
+}
+
+/// Returns the words of a text with their meanings, in order. Marks, brackets and unknown words
+/// are left out.
+pub(crate) fn words(document: &Document) -> Vec<ColouredWord> {
+    let mut found = Vec::new();
+    let mut add = |range: Range<usize>, colour| {
+        if !range.is_empty() {
+            found.push(ColouredWord { range, colour });
+        }
+    };
+    let mut uses = document.uses.iter().peekable();
+    for (index, token) in document.tokens.iter().enumerate() {
+        let text = token.text(&document.text);
+        match token.kind {
+            Kind::Comment | Kind::Documentation => add(token.range.clone(), Colour::Comment),
+            Kind::Number => {
+                let unit = text.trim_end_matches(char::is_alphabetic).len();
+                let middle = token.range.start + unit;
+                add(token.range.start..middle, Colour::Number);
+                add(middle..token.range.end, Colour::Unit);
+            }
+            Kind::Word => {
+                while uses
+                    .next_if(|found| found.range.start < token.range.start)
+                    .is_some()
+                {}
+                let own = uses.peek().filter(|found| found.range == token.range);
+                let colour = match own {
+                    Some(found) => Some(Colour::Name(document.named(found.symbol).2)),
+                    None => colour(text, next_solid(document, index) == "("),
+                };
+                if let Some(colour) = colour {
+                    add(token.range.clone(), colour);
+                }
+            }
+            Kind::Blank | Kind::Text | Kind::Open | Kind::Close | Kind::Mark | Kind::Unknown => {}
+        }
+    }
+    found
+}
+
+/// Returns the meaning of a word that is no declared name.
+fn colour(word: &str, is_called: bool) -> Option<Colour> {
+    let is_function = Function::from_word(word).is_some()
+        || MotionLawWord::from_word(word).is_some()
+        || QuantityWord::from_word(word).is_some();
+    if is_called && is_function {
+        return Some(Colour::Function);
+    }
+    let is_keyword = matches!(
+        word,
+        "pub" | "struct" | "impl" | "fn" | "in" | "redundant" | "frame"
+    ) || ItemWord::from_word(word).is_some()
+        || ClauseWord::from_word(word).is_some()
+        || Law::from_word(word).is_some();
+    is_keyword.then_some(Colour::Keyword)
+}
