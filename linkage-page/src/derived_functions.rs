@@ -109,7 +109,8 @@ pub fn selections<'a>(inputs: &[&'a str]) -> Vec<Vec<&'a str>> {
     all
 }
 
-/// The mechanism of this name with further functions, if the compiler accepts them.
+/// The mechanism of this name with further functions, if the compiler accepts them in any
+/// range.
 #[must_use]
 pub fn with_further_functions(source: &Source, name: &str, functions: &str) -> Option<Mechanism> {
     let further: TokenStream = format!("impl {name} {{ {functions} }}").parse().ok()?;
@@ -118,5 +119,5 @@ pub fn with_further_functions(source: &Source, name: &str, functions: &str) -> O
         check_all(tokens.collect())
     });
     let found = all.find(|checked| checked.name.as_deref() == Some(name))?;
-    Mechanism::new(&found).filter(|mechanism| !mechanism.headings().is_empty())
+    Mechanism::new(&found.in_any_range()).filter(|mechanism| !mechanism.headings().is_empty())
 }

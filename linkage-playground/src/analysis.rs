@@ -1,41 +1,60 @@
 //! The analysis of a text after each key: messages, and the data of the pages.
 
 use linkage_compiler::check_all;
-use linkage_engine::{Mechanism, Source, SourceError};
+use linkage_engine::{Mechanism, Source};
 use serde_json::{Value, json};
 
-use crate::messages::messages;
+use crate::document::{FILE, messages};
 use crate::page::{Page, page};
-use crate::positions::Positions;
 
-/// The file that messages name.
-pub(crate) const FILE: &str = "mechanism.mech";
+/// The result of compiling a text.
+#[derive(Default)]
+struct Compiled {
+    pages: Vec<Page>,
+    /// Remarks about mechanisms without a page.
+    notes: Vec<String>,
+    /// True if the compiler has neither mistakes nor warnings.
+    is_plain: bool,
+}
 
 /// Returns lines of JSON: the messages about a text with the names of the mechanisms that have a
 /// page, then for each of them the data of its report, and its programs.
 pub(crate) fn analysis(text: &str) -> String {
-    let source = match Source::new(FILE, text) {
-        Ok(source) => source,
-        Err(error) => return finished(vec![unread(text, &error)], &[]),
+    let compiled = compiled(text);
+    let mut messages = match compiled.is_plain {
+        true => Vec::new(),
+        false => messages(text),
     };
-    let positions = Positions::new(source.text());
-    let mut found = Vec::new();
-    let mut pages = Vec::new();
+    messages.extend(compiled.notes.iter().map(|note| remark(note)));
+    finished(&messages, &compiled.pages)
+}
+
+fn compiled(text: &str) -> Compiled {
+    let Ok(source) = Source::new(FILE, text) else {
+        return Compiled::default();
+    };
+    let mut compiled = Compiled {
+        is_plain: true,
+        ..Compiled::default()
+    };
     for call in source.calls() {
         for checked in check_all(call.tokens.clone()) {
-            found.extend(messages(&checked, call, &positions));
-            let shown = Mechanism::new(&checked).map(|mechanism| page(&source, mechanism));
-            match shown {
-                Some(Ok(page)) => pages.push(page),
-                Some(Err(note)) => found.push(note_of(call.range.start, &note)),
-                None => {}
+            compiled.is_plain &= checked.messages.is_empty() && checked.warnings.is_empty();
+            // Its motion shows where a range is refused.
+            let Some(mechanism) = Mechanism::new(&checked.in_any_range()) else {
+                continue;
+            };
+            match page(&source, mechanism) {
+                Ok(page) => compiled.pages.push(page),
+                Err(note) => compiled.notes.push(note),
             }
         }
     }
-    finished(found, &pages)
+    compiled
 }
 
-fn finished(messages: Vec<Value>, pages: &[Page]) -> String {
+/// The answer. Data of pages are JSON already.
+fn finished(messages: &[Value], pages: &[Page]) -> String {
     let names: Vec<&str> = pages.iter().map(|page| page.name).collect();
     let first = json!({ "messages": messages, "names": names }).to_string();
     let pages = pages
@@ -45,13 +64,6 @@ fn finished(messages: Vec<Value>, pages: &[Page]) -> String {
     lines.join("\n")
 }
 
-fn note_of(start: usize, note: &str) -> Value {
-    json!({ "from": start, "to": start, "severity": "info", "text": note })
-}
-
-/// The message about a text that is no sequence of tokens.
-fn unread(text: &str, error: &SourceError) -> Value {
-    let (from, to) = (0, text.encode_utf16().count());
-    let text = error.to_string();
-    json!({ "from": from, "to": to, "severity": "error", "text": text })
+fn remark(note: &str) -> Value {
+    json!({ "from": 0, "to": 0, "severity": "info", "text": note, "fixes": [] })
 }

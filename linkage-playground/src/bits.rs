@@ -3,7 +3,7 @@
 use linkage_engine::{Mechanism, Source, compile};
 use serde_json::{Value, json};
 
-use crate::analysis::FILE;
+use crate::document::FILE;
 use crate::page::{arguments, positions, shown};
 
 /// Returns the table of each function over the range of the first input: the bits of all values as

@@ -80,7 +80,7 @@ mod tests {
             assert!(!text.contains("mechanism!"), "{name}");
             let request = json!({ "do": "analyse", "text": text }).to_string();
             let answer = answer(&request);
-            let lines = answer.lines().map(|line| serde_json::from_str(line));
+            let lines = answer.lines().map(serde_json::from_str);
             let lines: Result<Vec<Value>, _> = lines.collect();
             let lines = lines.unwrap_or_else(|error| panic!("{name}: {error}"));
             let messages = lines[0]["messages"].as_array().expect("a list").iter();

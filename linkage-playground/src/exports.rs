@@ -6,7 +6,7 @@ use linkage_js::modules;
 use linkage_runtime::Programs;
 use serde_json::{Value, json};
 
-use crate::analysis::FILE;
+use crate::document::FILE;
 use crate::page::{report_of, shown, whole_page};
 
 /// Returns files of a format as JSON, each with name and text: `c` and `js` for all mechanisms of

@@ -1,14 +1,17 @@
 //! Requests and their answers.
 
+use proc_macro2::extra::invalidate_current_thread_spans;
 use serde_json::{Value, json};
 
-use crate::{analysis, benchmark, bits, examples, exports};
+use crate::{analysis, benchmark, bits, document, examples, exports};
 
 /// Answers a request: an object of JSON whose field `do` has the name of the work.
 ///
 /// | `do` | further fields | answer |
 /// |---|---|---|
 /// | `analyse` | `text` | lines: messages with their places, then data and programs of each page |
+/// | `hover` | `text`, `at` | the description of a word as Markdown, with its place |
+/// | `complete` | `text`, `at` | words that can be written |
 /// | `export` | `text`, `format`, `mechanism` | files with their names |
 /// | `examples` | | texts to choose from |
 /// | `values` | `text`, `steps` | all functions over the first input, as bits |
@@ -20,6 +23,8 @@ pub fn answer(request: &str) -> String {
     let answered = serde_json::from_str::<Value>(request)
         .map_err(|error| error.to_string())
         .and_then(|request| answered(&request));
+    // Otherwise all texts stay in memory.
+    invalidate_current_thread_spans();
     answered.unwrap_or_else(|failure| json!({ "failure": failure }).to_string())
 }
 
@@ -28,6 +33,8 @@ fn answered(request: &Value) -> Result<String, String> {
     let count = |name: &str| request[name].as_u64().unwrap_or_default() as usize;
     match text("do") {
         "analyse" => Ok(analysis::analysis(text("text"))),
+        "hover" => Ok(document::hover(text("text"), count("at"))),
+        "complete" => Ok(document::completions(text("text"), count("at"))),
         "export" => exports::export(text("text"), text("format"), text("mechanism")),
         "examples" => Ok(examples::examples()),
         "values" => bits::values(text("text"), count("steps")),

@@ -178,17 +178,8 @@ mod tests {
 
     #[test]
     fn the_constant_has_the_joints_that_are_drawn() {
-        const JOINTS: [PictureJoint; 2] = [
-            PictureJoint {
-                point: 0,
-                shape: JointShape::Pin,
-            },
-            PictureJoint {
-                point: 1,
-                shape: JointShape::Slide,
-            },
-        ];
-        let constant = page_constant(JOINTS.iter().map(|joint| joint.shape));
+        const SHAPES: [JointShape; 2] = [JointShape::Pin, JointShape::Slide];
+        let constant = page_constant(SHAPES.into_iter());
         assert!(constant.starts_with("const JOINT_SIGNS = {\"pin\":{"));
         assert!(
             constant

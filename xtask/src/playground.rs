@@ -12,12 +12,21 @@ const TARGET: &str = "wasm32-unknown-unknown";
 /// Sweeps compute two positions at once.
 const FLAGS: &str = "-C target-feature=+simd128";
 
+/// The files of the playground.
+#[derive(Clone, Debug)]
+pub struct Playground {
+    /// The module for WebAssembly.
+    pub module: PathBuf,
+    /// The page, in a folder with its licences.
+    pub page: PathBuf,
+}
+
 /// Builds `target/playground`.
 ///
 /// # Errors
 ///
 /// If a program is missing or fails: the message.
-pub(crate) fn build() -> Result<(), String> {
+pub fn playground() -> Result<Playground, String> {
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
     let target = env::var_os("CARGO_TARGET_DIR").map_or_else(|| root.join("target"), PathBuf::from);
     let web = root.join("linkage-playground/web");
@@ -26,11 +35,14 @@ pub(crate) fn build() -> Result<(), String> {
     let parts = target.join("playground-parts.json");
     let written = fs::write(&parts, page_parts());
     written.map_err(|error| format!("cannot write `{}`: {error}", parts.display()))?;
+    let folder = target.join("playground");
     let mut bundle = Command::new("node");
     bundle
         .arg(web.join("build.mjs"))
-        .args([&parts, &module, &target.join("playground")]);
-    run(&mut bundle, "node", "install node 20 or later")
+        .args([&parts, &module, &folder]);
+    run(&mut bundle, "node", "install node 20 or later")?;
+    let page = folder.join("index.html");
+    Ok(Playground { module, page })
 }
 
 /// Compiles the module, and returns its path.

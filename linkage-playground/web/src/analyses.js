@@ -44,7 +44,7 @@ function analysisOf(answer) {
   const { messages, names, panic, failure } = JSON.parse(first);
   if (messages === undefined) {
     const text = `the compiler has failed: ${panic ?? failure}\nhelp: the last change that was understood is still shown`;
-    return { messages: [{ from: 0, to: 0, severity: "error", text }], pages: [] };
+    return { messages: [{ from: 0, to: 0, severity: "error", text, fixes: [] }], pages: [] };
   }
   const pages = names.map((name, k) => ({ name, report: lines[2 * k], programs: lines[2 * k + 1] }));
   return { messages, pages };

@@ -41,9 +41,11 @@ export function makeEditor(parent, { changed, hover, complete }) {
   };
 }
 
-function diagnostic({ doc }, { from, to, severity, text }) {
+function diagnostic({ doc }, { from, to, severity, text, fixes }) {
   const [begin, end] = [Math.min(from, doc.length), Math.min(Math.max(to, from), doc.length)];
-  return { from: begin, to: end, severity, message: text };
+  // The places of a change are those of the text that was analysed.
+  const actions = fixes.map(({ title, edits }) => ({ name: title, apply: (view) => view.state.doc.eq(doc) && view.dispatch({ changes: edits, userEvent: "input.fix" }) }));
+  return { from: begin, to: end, severity, message: text, actions };
 }
 
 const theme = EditorView.theme({
@@ -61,5 +63,8 @@ const theme = EditorView.theme({
   ".cm-completionInfo": { whiteSpace: "pre-wrap" },
   ".cm-diagnostic": { whiteSpace: "pre-wrap" },
   ".hover": { padding: "6px 10px" },
+  ".hover p, .hover pre": { margin: "2px 0" },
+  ".hover hr": { margin: "4px 0", border: "solid var(--line)", borderWidth: "1px 0 0" },
+  ".hover code, .hover pre": { fontFamily: "ui-monospace, 'Cascadia Mono', 'DejaVu Sans Mono', Menlo, monospace", fontSize: "13px" },
   ".cm-matchingBracket": { backgroundColor: "var(--selection) !important" },
 });
