@@ -2,6 +2,7 @@
 
 use std::ops::Range;
 
+use crate::actions::{self, Action};
 use crate::completion::{self, Completion};
 use crate::diagnostics::Edit;
 use crate::document::Document;
@@ -73,6 +74,13 @@ impl Document {
     #[must_use]
     pub fn symbols(&self) -> Vec<Symbol> {
         symbols::symbols(self)
+    }
+
+    /// Returns the changes that can be made at some bytes: those that messages propose, computed
+    /// estimates, declarations of unknown words, a function with the picture.
+    #[must_use]
+    pub fn actions(&self, range: Range<usize>) -> Vec<Action> {
+        actions::actions(self, &range)
     }
 
     /// Returns the words of a text with their meanings, in order. Marks, brackets and unknown words

@@ -10,6 +10,7 @@ use crate::lexer::{Token, tokens};
 use crate::outline::{NameKind, Outline, outlines};
 use crate::position::Lines;
 use crate::repair::readable;
+use crate::statements::statements;
 use crate::uses::{Symbol, Use, declaration, uses};
 use crate::values::{Value, Values, values};
 
@@ -182,6 +183,14 @@ impl Document {
                 .rev()
                 .find(|outline| outline.mechanism.range.end <= offset)
         })
+    }
+
+    /// Returns the length unit that a mechanism declares.
+    pub(crate) fn length_unit(&self, outline: &Outline) -> &str {
+        let items = statements(&self.text, &self.tokens, &outline.body, ';');
+        let mut items = items.iter().map(|item| &self.text[item.clone()]);
+        let unit = items.find_map(|item| item.strip_prefix("unit "));
+        unit.map_or("m", str::trim)
     }
 
     /// Returns what is known of a mechanism's types.

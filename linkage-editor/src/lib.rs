@@ -14,11 +14,14 @@
 //! | go to a declaration, list uses | [`Document::definition`], [`Document::references`] |
 //! | rename | [`Document::renamed`] |
 //! | list the names of a text | [`Document::symbols`] |
+//! | offer changes | [`Document::actions`] |
+//! | format | [`formatted`] |
 //! | colour words | [`Document::words`] |
 //! | convert bytes to lines and columns | [`Lines`] |
 //!
 //! Places are bytes of the text.
 
+mod actions;
 mod analysis;
 mod answers;
 mod completion;
@@ -27,6 +30,7 @@ mod cursor;
 mod diagnostics;
 mod document;
 mod facts;
+mod format;
 mod hints;
 mod hover;
 mod lexer;
@@ -43,9 +47,11 @@ mod uses;
 mod values;
 mod words;
 
+pub use actions::Action;
 pub use completion::{Completion, CompletionKind};
 pub use diagnostics::{Diagnostic, Edit, Fix, Related, Severity};
 pub use document::Document;
+pub use format::formatted;
 pub use hints::Hint;
 pub use hover::Hover;
 pub use outline::NameKind;

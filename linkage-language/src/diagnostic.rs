@@ -114,7 +114,7 @@ impl<'a> Reporter<'a> {
         [first, last]: [OriginId; 2],
         message: impl Into<String>,
     ) -> &mut Message {
-        let span = self.origins.span(first).to(self.origins.span(last));
+        let span = self.span_between([first, last]);
         let message = self.within_part(first, message.into());
         self.diagnostics.error_in(self.section, span, message)
     }
@@ -129,6 +129,11 @@ impl<'a> Reporter<'a> {
         let span = self.origins.span(origin);
         let message = Message::new(span, &format!("{fact}\nhelp: {help}"));
         self.diagnostics.warnings.insert(self.section, message)
+    }
+
+    /// Returns the span from one origin to another.
+    pub fn span_between(&self, [first, last]: [OriginId; 2]) -> SourceSpan {
+        self.origins.span(first).to(self.origins.span(last))
     }
 
     /// Begins a message about a part with the name of the part: the words at fault are those of the

@@ -3,7 +3,7 @@
 use linkage_core::range_check::{Comes, PASSES_HELP, passes};
 
 use crate::algebra::{Algebra, Nominal};
-use crate::diagnostic::{OriginId, Reporter};
+use crate::diagnostic::Reporter;
 use crate::ir::ContinuousAngle;
 use crate::message_format::loop_numbers;
 use crate::model::{Input, Mechanism};
@@ -11,7 +11,7 @@ use crate::solve::Formulation;
 
 use super::follow::{Unfollowed, follow_angles};
 use super::ranges::{Broken, Ranges};
-use super::refused_range::RefusedRange;
+use super::refused_range::{RefusedRange, range_of};
 use crate::machine::Reference;
 use crate::message_format::MessageFormat;
 
@@ -65,7 +65,11 @@ pub(super) fn check_ranges<'m>(
             let dimension = algebra.mechanism.inputs[*input].dimension;
             if let Some(at) = ranges.first_failure(*input, dimension) {
                 let apart = ranges.apart(algebra, at);
-                reporter.error_between(apart.origins, apart.message);
+                let span = reporter.span_between(apart.origins);
+                let message = reporter.error_between(apart.origins, apart.message);
+                if let Some(range) = apart.range {
+                    message.suggest(format!("write `in {range}`, which works"), span, range);
+                }
                 return;
             }
         }
@@ -191,12 +195,4 @@ pub(super) fn report_unfollowed(
              help: use whole multiples of `{name}` in directions, or a shorter range"
         ),
     );
-}
-
-/// Returns the origin of the range, or of the input's name.
-pub(super) fn range_of(input: &Input) -> [OriginId; 2] {
-    match &input.range {
-        Some((low, high)) => [low.origin, high.origin],
-        None => [input.origin; 2],
-    }
 }

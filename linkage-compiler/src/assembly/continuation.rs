@@ -9,7 +9,7 @@ use crate::message_format::loop_list;
 use crate::solve::{Prepared, Solved};
 
 use super::assembler::Assembly;
-use super::check::range_of;
+use super::refused_range::range_of;
 use super::refused_range::{OR_LENGTHS, RefusedRange};
 
 /// A range may end at a dead point: the rest of the way does not count.

@@ -210,7 +210,12 @@ pub(super) fn meets_estimates(
     );
     let estimate = item.estimate.as_ref();
     let origin = estimate.map_or(item.origin, |estimate| estimate.origin);
-    assembly.reporter.error(origin, message);
+    let is_written = estimate.is_some() && !item.of_part;
+    let span = assembly.reporter.span_between([origin; 2]);
+    let message = assembly.reporter.error(origin, message);
+    if is_written {
+        message.suggest(format!("take the estimate {coordinate}"), span, coordinate);
+    }
     false
 }
 
@@ -243,7 +248,12 @@ fn warn_of_sign(assembly: &mut Assembly<'_, '_>, solved: &Solved, chosen: &Posit
             loop_list(&solved.group.loops)
         );
         let origin = written.origin;
-        assembly.reporter.warning_with_help(origin, fact, help);
+        let is_of_part = item.of_part;
+        let span = assembly.reporter.span_between([origin; 2]);
+        let message = assembly.reporter.warning_with_help(origin, fact, help);
+        if !is_of_part {
+            message.suggest(format!("take the estimate {coordinate}"), span, coordinate);
+        }
     }
 }
 

@@ -11,10 +11,9 @@ use crate::diagnostic::OriginId;
 use crate::message_format::{MessageFormat, loop_numbers};
 use crate::model::Mechanism;
 
-use super::check::range_of;
 use super::dead_point::DeadPoint;
 use super::ranges::{Break, Broken, GRID, Ranges};
-use super::refused_range::{OR_LENGTHS, RefusedRange};
+use super::refused_range::{OR_LENGTHS, RefusedRange, range_of};
 
 /// Positions between the reference and a change point at which angles are compared.
 const COMPARED: usize = 8;
@@ -23,6 +22,8 @@ const COMPARED: usize = 8;
 pub(super) struct Apart {
     pub(super) origins: [OriginId; 2],
     pub(super) message: String,
+    /// A range that works, as it is written; `None` if it is not known.
+    pub(super) range: Option<String>,
 }
 
 impl<'m> Ranges<'_, 'm> {
@@ -47,6 +48,7 @@ impl<'m> Ranges<'_, 'm> {
             return Apart {
                 origins: range_of(input),
                 message: with_help(&not_finite(group, &position, "")),
+                range: None,
             };
         }
         let miss = self.largest_miss(&at);
@@ -81,9 +83,11 @@ impl<'m> Ranges<'_, 'm> {
                 with_help(&[reaches.fact(), reaches.help()])
             }
         };
+        let [low, high] = &works.range;
         Apart {
             origins: range_of(input),
             message,
+            range: Some(format!("{low}..{high}")),
         }
     }
 

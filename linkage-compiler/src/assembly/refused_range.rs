@@ -4,9 +4,9 @@ use linkage_core::numeric::largest_box::largest_box;
 use linkage_core::range_check::rounded_inwards;
 
 use crate::algebra::Nominal;
-use crate::diagnostic::{OriginId, Reporter};
+use crate::diagnostic::{OriginId, Reporter, SourceSpan};
 use crate::message_format::MessageFormat;
-use crate::model::Mechanism;
+use crate::model::{Input, Mechanism};
 
 /// Lines along each of so many inputs with a range, one more than the index: some thousand nodes in
 /// all.
@@ -49,19 +49,53 @@ impl RefusedRange {
             Some(nominal) => format!("write {}{otherwise}", ranges(mechanism, nominal)),
             None => format!("{narrower}{otherwise}"),
         };
-        reporter.error_between(origins, format!("{fact}\nhelp: {help}"));
+        let narrower = works.map_or_else(Vec::new, |nominal| narrower_ranges(mechanism, nominal));
+        let replaced: Vec<(SourceSpan, NarrowerRange)> = narrower
+            .into_iter()
+            .map(|range| (reporter.span_between(range_of(range.input)), range))
+            .collect();
+        let message = reporter.error_between(origins, format!("{fact}\nhelp: {help}"));
+        for (span, range) in replaced {
+            let title = format!("write `in {}` for `{}`", range.text, range.input.name);
+            message.suggest(title, span, range.text);
+        }
     }
 }
 
-/// `` `in 231mm..289mm` for `left` and `in 40deg..60deg` for `phi` ``
-fn ranges(mechanism: &Mechanism, nominal: &Nominal) -> String {
+/// Returns the origin of the range, or of the input's name.
+pub(super) fn range_of(input: &Input) -> [OriginId; 2] {
+    match &input.range {
+        Some((low, high)) => [low.origin, high.origin],
+        None => [input.origin; 2],
+    }
+}
+
+/// A range that works, in place of a declared one.
+struct NarrowerRange<'m> {
+    input: &'m Input,
+    /// `231mm..289mm`
+    text: String,
+}
+
+/// Returns the ranges that work of all inputs with a range.
+fn narrower_ranges<'m>(mechanism: &'m Mechanism, nominal: &Nominal) -> Vec<NarrowerRange<'m>> {
     let words = MessageFormat::new(mechanism);
     let pairs = mechanism.inputs.iter().zip(&nominal.ranges);
     let each = pairs.filter_map(|(input, range)| {
         let (low, high) = (*range)?;
         let [low, high] = [low, high].map(|end| words.scalar(input.dimension, end));
-        Some(format!("`in {low}..{high}` for `{}`", input.name))
+        Some(NarrowerRange {
+            input,
+            text: format!("{low}..{high}"),
+        })
     });
+    each.collect()
+}
+
+/// `` `in 231mm..289mm` for `left` and `in 40deg..60deg` for `phi` ``
+fn ranges(mechanism: &Mechanism, nominal: &Nominal) -> String {
+    let each = narrower_ranges(mechanism, nominal).into_iter();
+    let each = each.map(|range| format!("`in {}` for `{}`", range.text, range.input.name));
     let each: Vec<String> = each.collect();
     match &each[..] {
         [one] => format!("{one}, the largest range that works"),

@@ -7,7 +7,7 @@ use crate::solve::{Prepared, Solved};
 use crate::structure::unsolved::OURS;
 
 use super::assembler::Assembly;
-use super::check::range_of;
+use super::refused_range::range_of;
 use super::refused_range::{OR_LENGTHS, RefusedRange};
 
 /// Reports a group whose solution is singular at the reference inputs.

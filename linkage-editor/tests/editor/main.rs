@@ -1,5 +1,6 @@
 //! Answers about the templates of the command, whole and while they are being written.
 
+mod actions;
 mod completion;
 mod hover;
 mod navigation;

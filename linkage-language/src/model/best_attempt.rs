@@ -77,7 +77,8 @@ impl Attempt {
                 Some(beside) => format!("write `{length}`, and give {beside} a unit, too"),
                 None => format!("write `{length}`"),
             };
-            messages.error_with_help(unitless.span, fact, help);
+            let message = messages.error_with_help(unitless.span, fact, help);
+            message.suggest(format!("write `{length}`"), unitless.span, length);
         }
         messages.append(self.diagnostics);
         self.diagnostics = messages;

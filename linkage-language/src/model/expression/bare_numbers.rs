@@ -45,7 +45,11 @@ pub(in crate::model) fn refuse_bare_angle(sink: &mut Sink, value: &Expr, what: &
         let fact = format!("{what} has no unit: `{number}` would be {number} rad");
         let help = format!("write `{number}deg`, or `{number}rad`");
         let span = sink.span(value.origin);
-        sink.error_with_help(span, fact, help);
+        sink.error_with_help(span, fact, help).suggest(
+            format!("write `{number}deg`"),
+            span,
+            format!("{number}deg"),
+        );
     }
 }
 

@@ -35,7 +35,7 @@ pub(in crate::model) fn refuse_unknown_name(
         .map(|symbol| symbol.text.as_str())
         .chain(["PI"]);
     let fact = format!("unknown name `{text}`");
-    let help = match (nearest(&text, known), rate) {
+    let help = match (nearest(&text, known.clone()), rate) {
         _ if members.has(&text) => format!(
             "`{text}` is the name of a body or joint: ask for forces like `reaction(joint)`"
         ),
@@ -58,7 +58,11 @@ pub(in crate::model) fn refuse_unknown_name(
             }
         }
     };
-    sink.error_with_help(ident.into(), fact, help);
+    let meant = nearest(&text, known.clone()).filter(|_| !members.has(&text));
+    let message = sink.error_with_help(ident.into(), fact, help);
+    if let Some(name) = meant {
+        message.suggest(format!("write `{name}`"), ident.into(), name);
+    }
 }
 
 /// Returns the help for the usual name of a speed or an acceleration that no input declares.

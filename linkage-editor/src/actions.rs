@@ -1,0 +1,261 @@
+//! Changes that an editor offers at a place.
+
+use std::ops::Range;
+
+use linkage_language::model::{Function, MotionLawWord, QuantityWord};
+use linkage_language::syntax::{ClauseWord, ItemWord, Word, is_unit};
+
+use crate::diagnostics::{Diagnostic, Edit, Fix};
+use crate::document::Document;
+use crate::hints::solution;
+use crate::lexer::Kind;
+use crate::outline::{NameKind, Outline};
+use crate::shown;
+
+/// A change that an editor offers, and the message whose advice it follows.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Action {
+    /// The change.
+    pub fix: Fix,
+    /// The index of the message among [`Document::diagnostics`]; `None` if it follows no message.
+    pub diagnostic: Option<usize>,
+}
+
+/// See [`Document::actions`].
+pub(crate) fn actions(document: &Document, range: &Range<usize>) -> Vec<Action> {
+    let mut found = Vec::new();
+    for (index, diagnostic) in document.diagnostics().iter().enumerate() {
+        if !touches(&diagnostic.range, range) {
+            continue;
+        }
+        let fixes = diagnostic.fixes.iter().cloned();
+        let fixes = fixes.chain(declarations(document, diagnostic));
+        found.extend(fixes.map(|fix| Action {
+            fix,
+            diagnostic: Some(index),
+        }));
+    }
+    let outlines = document.outlines.iter();
+    for outline in outlines.filter(|outline| outline.contains(range.start)) {
+        let estimates = estimates(document, outline, range);
+        let others = estimates
+            .into_iter()
+            .chain(unused_unknown(document, outline, range));
+        let others = others.chain(picture(document, outline));
+        found.extend(others.map(|fix| Action {
+            fix,
+            diagnostic: None,
+        }));
+    }
+    let mut titles: Vec<String> = Vec::new();
+    found.retain(|action| {
+        let is_new = !titles.contains(&action.fix.title);
+        titles.push(action.fix.title.clone());
+        is_new
+    });
+    found
+}
+
+fn touches(one: &Range<usize>, other: &Range<usize>) -> bool {
+    one.start <= other.end && other.start <= one.end
+}
+
+/// Declares a word that a message is about and that means nothing yet.
+fn declarations(document: &Document, diagnostic: &Diagnostic) -> Vec<Fix> {
+    let range = &diagnostic.range;
+    let mut tokens = document.tokens.iter();
+    let is_word = tokens.any(|token| token.kind == Kind::Word && token.range == *range);
+    let Some(word) = document.text.get(range.clone()).filter(|_| is_word) else {
+        return Vec::new();
+    };
+    let is_used = document.uses.iter().any(|found| found.range == *range);
+    let Some(outline) = document.outline_at(range.start) else {
+        return Vec::new();
+    };
+    // A member of something has no declaration.
+    let is_member = document.text[..range.start].ends_with('.');
+    if is_used || is_member || is_of_language(word) || outline.find(word).is_some() {
+        return Vec::new();
+    }
+    let Some(place) = item_at(document, outline, range.start) else {
+        return Vec::new();
+    };
+    let length = document.length_unit(outline);
+    let declared = |item: String| Fix {
+        title: format!("declare `{item}`"),
+        edits: vec![insertion(document, place, &format!("{item};"))],
+    };
+    vec![
+        declared(format!("unknown {word} = 0deg")),
+        declared(format!("unknown {word} = 10{length}")),
+        declared(format!("param {word} = 10{length}")),
+    ]
+}
+
+/// Returns true for a word that has a meaning without a declaration.
+fn is_of_language(word: &str) -> bool {
+    Function::from_word(word).is_some()
+        || MotionLawWord::from_word(word).is_some()
+        || QuantityWord::from_word(word).is_some()
+        || ItemWord::from_word(word).is_some()
+        || ClauseWord::from_word(word).is_some()
+        || is_unit(word)
+        || word == "PI"
+}
+
+/// Returns the byte before which an item is inserted: that of the item of the struct block around a
+/// byte, or of its last one.
+fn item_at(document: &Document, outline: &Outline, offset: usize) -> Option<usize> {
+    let items = crate::statements::statements(&document.text, &document.tokens, &outline.body, ';');
+    let around = items
+        .iter()
+        .find(|item| item.start <= offset && offset <= item.end);
+    Some(around.or(items.last())?.start)
+}
+
+/// Writes an item on a line before the item that begins at a byte.
+fn insertion(document: &Document, place: usize, item: &str) -> Edit {
+    let text = &document.text;
+    let line = text[..place].rfind('\n').map_or(0, |end| end + 1);
+    let indent = &text[line..place];
+    let is_blank = indent.chars().all(char::is_whitespace);
+    Edit {
+        range: place..place,
+        text: match is_blank {
+            true => format!("{item}\n{indent}"),
+            false => format!("{item} "),
+        },
+    }
+}
+
+/// Takes the solution of an unknown as its estimate; and those of all unknowns.
+fn estimates(document: &Document, outline: &Outline, range: &Range<usize>) -> Vec<Fix> {
+    if !document.values_are_present() {
+        return Vec::new();
+    }
+    let Some(values) = document.values(&outline.mechanism.name) else {
+        return Vec::new();
+    };
+    let unknowns = outline
+        .names
+        .iter()
+        .filter(|name| name.kind == NameKind::Unknown);
+    let computed = unknowns.filter_map(|unknown| {
+        let place = unknown.value.clone()?;
+        let found = solution(values, &unknown.name)?;
+        let text = shown::short(found);
+        let edit = Edit { range: place, text };
+        Some((unknown, edit))
+    });
+    let computed: Vec<_> = computed.collect();
+    let here = computed
+        .iter()
+        .filter(|(unknown, _)| touches(&unknown.item, range));
+    let mut fixes: Vec<Fix> = here
+        .map(|(_, edit)| Fix {
+            title: format!("take the estimate {}", edit.text),
+            edits: vec![edit.clone()],
+        })
+        .collect();
+    if !fixes.is_empty() && computed.len() > 1 {
+        fixes.push(Fix {
+            title: "take all computed estimates".to_owned(),
+            edits: computed.into_iter().map(|(_, edit)| edit).collect(),
+        });
+    }
+    fixes
+}
+
+/// Writes a loop for an unknown that no loop contains, directly or by derived quantities.
+fn unused_unknown(document: &Document, outline: &Outline, range: &Range<usize>) -> Option<Fix> {
+    let mut unknowns = outline
+        .names
+        .iter()
+        .filter(|name| name.kind == NameKind::Unknown);
+    let unknown = unknowns.find(|unknown| touches(&unknown.item, range))?;
+    let uses = document.references(unknown.range.start, false);
+    if uses.iter().any(|used| outline.body.contains(&used.start)) {
+        return None;
+    }
+    let end = unknown.item.end;
+    let rest = &document.text[end..];
+    let after = end + rest.find('\n').unwrap_or(rest.len());
+    let item = format!("loop {} = 0;", unknown.name);
+    Some(Fix {
+        title: format!("add a loop with `{}`", unknown.name),
+        edits: vec![Edit {
+            range: after..after,
+            text: format!("\n    {item}"),
+        }],
+    })
+}
+
+/// Adds a function with the picture, if there is none.
+fn picture(document: &Document, outline: &Outline) -> Option<Fix> {
+    let is_drawn = |range: &Range<usize>| {
+        let text = document.text.get(range.clone());
+        text.is_some_and(|text| text.contains("picture("))
+    };
+    if outline.implementations.iter().any(is_drawn) {
+        return None;
+    }
+    let facts = document.facts(&outline.mechanism.name)?;
+    let function = free_name(outline, "shape");
+    let result = free_result(document, "Shape");
+    let inputs = facts.inputs.join(", ");
+    let item = format!(
+        "    /// The links, for the drawing.\n    pub fn {function}({inputs}) -> {result} {{ shape: picture() }}\n"
+    );
+    let edit = match outline.implementations.last() {
+        Some(block) => {
+            let inside = &document.text[block.clone()];
+            let end = block.start + inside.trim_end().len();
+            Edit {
+                range: end..block.end,
+                text: if end == block.start {
+                    format!("\n{item}")
+                } else {
+                    format!("\n\n{item}")
+                },
+            }
+        }
+        None => {
+            let end = outline.mechanism.item.end.min(document.text.len());
+            let name = &outline.mechanism.name;
+            Edit {
+                range: end..end,
+                text: format!("\n\nimpl {name} {{\n{item}}}"),
+            }
+        }
+    };
+    Some(Fix {
+        title: "add a function with `picture()`".to_owned(),
+        edits: vec![edit],
+    })
+}
+
+/// Returns a name that no function has.
+fn free_name(outline: &Outline, wanted: &str) -> String {
+    let is_taken = |name: &str| {
+        let mut functions = outline.functions.iter();
+        functions.any(|function| function.function.name == name)
+    };
+    let mut name = wanted.to_owned();
+    while is_taken(&name) {
+        name.push('_');
+    }
+    name
+}
+
+/// Returns a name that is no word of the text.
+fn free_result(document: &Document, wanted: &str) -> String {
+    let is_taken = |name: &str| {
+        let mut tokens = document.tokens.iter();
+        tokens.any(|token| token.kind == Kind::Word && token.text(&document.text) == name)
+    };
+    let mut name = wanted.to_owned();
+    while is_taken(&name) {
+        name = format!("Drawn{name}");
+    }
+    name
+}

@@ -1,0 +1,131 @@
+//! Changes that are offered: each is made, and the text has the mistake no more.
+
+use linkage_editor::{Document, Fix};
+
+use crate::{after, template, text};
+
+/// Makes a change.
+fn changed(document: &mut Document, fix: &Fix) {
+    let mut edits = fix.edits.clone();
+    edits.sort_by_key(|edit| std::cmp::Reverse(edit.range.start));
+    let text = document.text().to_owned();
+    let new = edits.into_iter().fold(text, |text, edit| {
+        Document::edit(&text, edit.range, &edit.text)
+    });
+    document.set_text(&new);
+}
+
+/// The change whose title begins so, at the end of a piece of the text.
+fn offered(document: &Document, piece: &str, title: &str) -> Fix {
+    let place = after(document, piece);
+    let all = document.actions(place..place);
+    let found = all
+        .iter()
+        .find(|action| action.fix.title.starts_with(title));
+    found.unwrap_or_else(|| panic!("{all:?}")).fix.clone()
+}
+
+/// A template with another text in the place of a piece.
+fn edited(name: &str, piece: &str, new: &str) -> Document {
+    let old = text(name);
+    assert!(old.contains(piece), "{piece}");
+    Document::new(name, &old.replacen(piece, new, 1))
+}
+
+/// Makes an offered change, after which there is no message.
+fn mended(mut document: Document, piece: &str, title: &str) -> String {
+    assert!(!document.diagnostics().is_empty(), "a mistake");
+    let fix = offered(&document, piece, title);
+    changed(&mut document, &fix);
+    assert_eq!(document.diagnostics(), [], "{}", document.text());
+    document.text().to_owned()
+}
+
+#[test]
+fn a_range_that_works() {
+    let rocking = "struct Rocking { unit mm; input phi = 50deg in 0deg..360deg;
+        unknown theta = 10deg; unknown psi = 60deg;
+        loop polar(90mm, phi) + polar(30mm, theta) = (100mm, 0) + polar(90mm, psi); }
+        impl Rocking { pub fn f(phi) -> F { psi } }";
+    let text = mended(
+        Document::new("rocking.mech", rocking),
+        "in 0deg",
+        "write `in 36.",
+    );
+    assert!(text.contains("input phi = 50deg in 36."), "{text}");
+}
+
+#[test]
+fn ranges_that_work_for_several_inputs() {
+    let boom = edited("boom", "in 900mm..1250mm", "in 900mm..2500mm");
+    mended(boom, "in 900mm", "write `in ");
+}
+
+#[test]
+fn units() {
+    let slider = edited("slider", "input phi = 30deg", "input phi = 30");
+    mended(slider, "input phi = 30", "write `30deg`");
+    let slider = edited("slider", "param rod    = 120mm +- 20um", "param rod = 120");
+    mended(slider, "param rod = 120", "write `120mm`");
+}
+
+#[test]
+fn names_that_are_meant() {
+    let slider = edited("slider", "polar(crank, phi)", "polar(cank, phi)");
+    mended(slider, "polar(cank", "write `crank`");
+}
+
+#[test]
+fn computed_estimates() {
+    let mut slider = template("slider");
+    let hints = slider.hints();
+    assert!(hints.iter().any(|hint| hint.is_solution), "{hints:?}");
+    let fix = offered(&slider, "unknown slide", "take all computed estimates");
+    assert_eq!(fix.edits.len(), 2);
+    changed(&mut slider, &fix);
+    assert_eq!(slider.diagnostics(), []);
+    let hints = slider.hints();
+    assert!(hints.iter().all(|hint| !hint.is_solution), "{hints:?}");
+}
+
+#[test]
+fn an_estimate_of_another_assembly() {
+    let slider = edited("slider", "unknown slide = 150mm", "unknown slide = 15mm");
+    let text = mended(slider, "unknown slide = 15mm", "take the estimate");
+    assert!(text.contains("unknown slide = 153."), "{text}");
+}
+
+#[test]
+fn unknown_words_are_declared() {
+    let slider = edited("slider", "    unknown theta = -10deg;", "");
+    let text = mended(slider, "polar(rod, theta", "declare `unknown theta = 0deg`");
+    assert!(
+        text.contains("\n    unknown theta = 0deg;\n    loop pin"),
+        "{text}"
+    );
+}
+
+#[test]
+fn a_picture_is_added_once() {
+    let drawn = "    /// The links, for the drawing.\n    pub fn shape(phi) -> Shape { shape: picture() }\n";
+    let mut slider = edited("slider", drawn, "");
+    let fix = offered(&slider, "unit mm", "add a function with `picture()`");
+    changed(&mut slider, &fix);
+    assert_eq!(slider.diagnostics(), []);
+    let place = after(&slider, "unit mm");
+    let again = slider.actions(place..place);
+    assert!(
+        again
+            .iter()
+            .all(|action| !action.fix.title.contains("picture")),
+        "{again:?}"
+    );
+
+    let mut crank = Document::new(
+        "a",
+        "struct Crank { unit mm; param r = 3mm; input phi = 0deg; let p = polar(r, phi); }",
+    );
+    let fix = offered(&crank, "unit mm", "add a function with `picture()`");
+    changed(&mut crank, &fix);
+    assert!(crank.text().contains("impl Crank {"), "{}", crank.text());
+}
