@@ -1,4 +1,4 @@
-//! All values of a text as bits: the same here and in a browser.
+//! All values of a text as bits, without fused multiply-adds: the same here and in a browser.
 
 use linkage_engine::{Mechanism, Source, compile};
 use serde_json::{Value, json};
@@ -17,7 +17,7 @@ pub(crate) fn values(text: &str, steps: usize) -> Result<String, String> {
     let mechanisms = compile(FILE, text).map_err(|error| error.to_string())?;
     let mut tables = Vec::new();
     for mechanism in mechanisms {
-        let mechanism = shown(&source, mechanism)?;
+        let mechanism = shown(&source, mechanism)?.with_separate_multiply_adds();
         for function in 0..mechanism.headings().len() {
             tables.push(table(&mechanism, function, steps)?);
         }

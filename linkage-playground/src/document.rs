@@ -2,7 +2,9 @@
 
 use std::cell::RefCell;
 
-use linkage_editor::{Completion, CompletionKind, Diagnostic, Document, Edit, NameKind, Severity};
+use linkage_editor::{
+    Completion, CompletionKind, Diagnostic, Document, Edit, Fix, NameKind, Severity,
+};
 use serde_json::{Value, json};
 
 use crate::positions::Positions;
@@ -46,10 +48,8 @@ fn message(diagnostic: &Diagnostic, positions: &Positions<'_>) -> Value {
         .chain(related)
         .chain(help)
         .collect();
-    let fixes = diagnostic.fixes.iter().map(|fix| {
-        let edits = fix.edits.iter().map(|change| edit(change, positions));
-        json!({ "title": fix.title, "edits": edits.collect::<Vec<_>>() })
-    });
+    let fixes = diagnostic.fixes.iter();
+    let fixes = fixes.map(|proposed| fix(proposed, positions));
     json!({
         "from": positions.utf16(diagnostic.range.start),
         "to": positions.utf16(diagnostic.range.end),
@@ -62,12 +62,28 @@ fn message(diagnostic: &Diagnostic, positions: &Positions<'_>) -> Value {
     })
 }
 
+fn fix(fix: &Fix, positions: &Positions<'_>) -> Value {
+    let edits = fix.edits.iter().map(|change| edit(change, positions));
+    json!({ "title": fix.title, "edits": edits.collect::<Vec<_>>() })
+}
+
 fn edit(edit: &Edit, positions: &Positions<'_>) -> Value {
     json!({
         "from": positions.utf16(edit.range.start),
         "to": positions.utf16(edit.range.end),
         "insert": edit.text,
     })
+}
+
+/// Returns the changes that can be made to some words, as JSON; places count units of UTF-16.
+pub(crate) fn actions(text: &str, from_utf16: usize, to_utf16: usize) -> String {
+    let actions = with_document(text, |document, positions| {
+        let range = positions.byte(from_utf16)..positions.byte(to_utf16);
+        let actions = document.actions(range).into_iter();
+        let one = actions.map(|action| fix(&action.fix, positions));
+        one.collect::<Vec<_>>()
+    });
+    Value::from(actions).to_string()
 }
 
 /// Describes the word at a place, counted in units of UTF-16; `null` if nothing is known of it.

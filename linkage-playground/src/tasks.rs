@@ -1,5 +1,6 @@
 //! Requests and their answers.
 
+use linkage_editor::formatted;
 use proc_macro2::extra::invalidate_current_thread_spans;
 use serde_json::{Value, json};
 
@@ -12,6 +13,8 @@ use crate::{analysis, benchmark, bits, document, examples, exports};
 /// | `analyse` | `text` | lines: messages with their places, then data and programs of each page |
 /// | `hover` | `text`, `at` | the description of a word as Markdown, with its place |
 /// | `complete` | `text`, `at` | words that can be written |
+/// | `format` | `text` | the text with other blanks, or `null` if it cannot be read |
+/// | `actions` | `text`, `from`, `to` | changes for some words, each with its title |
 /// | `export` | `text`, `format`, `mechanism` | files with their names |
 /// | `examples` | | texts to choose from |
 /// | `values` | `text`, `steps` | all functions over the first input, as bits |
@@ -34,6 +37,8 @@ fn answered(request: &Value) -> Result<String, String> {
     match text("do") {
         "analyse" => Ok(analysis::analysis(text("text"))),
         "hover" => Ok(document::hover(text("text"), count("at"))),
+        "format" => Ok(json!({ "text": formatted(text("text")) }).to_string()),
+        "actions" => Ok(document::actions(text("text"), count("from"), count("to"))),
         "complete" => Ok(document::completions(text("text"), count("at"))),
         "export" => exports::export(text("text"), text("format"), text("mechanism")),
         "examples" => Ok(examples::examples()),

@@ -1,7 +1,7 @@
 // Builds the folder of the playground: `node build.mjs PARTS.json MODULE.wasm FOLDER`.
 
 import { createHash } from "node:crypto";
-import { mkdir, readdir, readFile, rm, writeFile } from "node:fs/promises";
+import { mkdir, readdir, readFile, writeFile } from "node:fs/promises";
 import { dirname, join } from "node:path";
 import { fileURLToPath } from "node:url";
 import { gzipSync } from "node:zlib";
@@ -55,7 +55,6 @@ const policy = [
   "img-src data: blob:", "connect-src blob:", "worker-src blob:", "base-uri 'none'", "form-action 'none'",
 ].join("; ");
 
-await rm(folder, { recursive: true, force: true });
 await mkdir(folder, { recursive: true });
 const html = `<!doctype html>
 <html lang="en">

@@ -52,14 +52,12 @@ fn module(root: &Path, target: &Path) -> Result<PathBuf, String> {
     compile
         .current_dir(root)
         .args(["build", "--package", "linkage-playground"])
-        .args(["--profile", "playground", "--target", TARGET])
+        .args(["--profile", "wasm", "--target", TARGET])
         .env("RUSTFLAGS", FLAGS)
         .env_remove("CARGO_ENCODED_RUSTFLAGS");
     let advice = format!("`rustup target add {TARGET}` installs the target");
     run(&mut compile, "cargo", &advice)?;
-    Ok(target
-        .join(TARGET)
-        .join("playground/linkage_playground.wasm"))
+    Ok(target.join(TARGET).join("wasm/linkage_playground.wasm"))
 }
 
 /// Installs the packages of the lock file, unless they are there.

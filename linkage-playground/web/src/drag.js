@@ -1,5 +1,7 @@
 // Changes of the text by hand in the drawing: while something is dragged the text follows, and the whole drag is one step of undo.
 
+import { difference } from "./difference.js";
+
 export class TextDrag {
   #editor;
   #base = null;
@@ -49,15 +51,4 @@ export function applied(base, edits) {
   let text = base;
   for (const { from, to, insert } of edits.toSorted((a, b) => b.from - a.from)) text = text.slice(0, from) + insert + text.slice(to);
   return text;
-}
-
-// The one change between two texts; null if they are the same.
-function difference(before, after) {
-  if (before === after) return null;
-  const most = Math.min(before.length, after.length);
-  let head = 0;
-  while (head < most && before[head] === after[head]) head += 1;
-  let tail = 0;
-  while (tail < most - head && before.at(-1 - tail) === after.at(-1 - tail)) tail += 1;
-  return { from: head, to: before.length - tail, insert: after.slice(head, after.length - tail) };
 }

@@ -7,6 +7,7 @@ import { lintGutter, lintKeymap, setDiagnostics } from "@codemirror/lint";
 import { highlightSelectionMatches, search, searchKeymap } from "@codemirror/search";
 import { EditorState, Transaction } from "@codemirror/state";
 import { drawSelection, EditorView, highlightActiveLine, highlightActiveLineGutter, hoverTooltip, keymap, lineNumbers } from "@codemirror/view";
+import { difference } from "./difference.js";
 import { linkage } from "./language.js";
 
 // `changed` hears of every change of the text; `hover` and `complete` ask the compiler.
@@ -27,6 +28,10 @@ export function makeEditor(parent, { changed, hover, complete }) {
     open,
     text: () => view.state.doc.toString(),
     tell: (messages) => view.dispatch(setDiagnostics(view.state, messages.map((message) => diagnostic(view.state, message)))),
+    replace: (text) => {
+      const changes = difference(view.state.doc.toString(), text);
+      if (changes !== null) view.dispatch({ changes, annotations: isolateHistory.of("full"), userEvent: "input.format" });
+    },
     undo: () => undo(view),
     redo: () => redo(view),
     go: (place) => {

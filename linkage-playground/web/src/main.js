@@ -2,6 +2,7 @@
 
 import { Analyses } from "./analyses.js";
 import { completeWith, hoverWith } from "./assist.js";
+import { format, offerChanges } from "./changes.js";
 import { Compiler, unpacked } from "./compiler.js";
 import { byId, element } from "./dom.js";
 import { TextDrag } from "./drag.js";
@@ -66,12 +67,8 @@ async function start() {
   });
   const shaping = new Shaping(view, {
     follow: (source, edits) => drag.follow(source, edits),
-    done: (name) => {
-      endDrag();
-      if (name) focus = name;
-    },
+    done: endDrag,
   });
-  let focus = null;
 
   function show(source, { messages, pages }) {
     editor.tell(messages);
@@ -79,8 +76,18 @@ async function start() {
     const isFaulty = messages.some(({ severity }) => severity === "error");
     say(isFaulty ? `${messages.length} ${messages.length === 1 ? "message" : "messages"}` : "");
     if (pages.length === 0) view.outdated();
-    else showPages(pages);
+    else showSafely(pages);
     document.body.dataset.shown = String(Number(document.body.dataset.shown ?? 0) + 1);
+  }
+
+  // A page that fails leaves the text alive.
+  function showSafely(pages) {
+    try {
+      showPages(pages);
+    } catch (error) {
+      view.outdated();
+      say(`The mechanism cannot be shown: ${error.message}`);
+    }
   }
 
   function showPages(pages) {
@@ -96,8 +103,6 @@ async function start() {
   function showPage() {
     view.show(shown.pages.find(({ name }) => name === shown.name), shaping.isHeld || shaping.isOn);
     shaping.mark();
-    if (focus !== null) view.document.querySelector(`[data-point="${CSS.escape(focus)}"]`)?.focus();
-    focus = null;
   }
 
   function open(name, text) {
@@ -165,7 +170,10 @@ async function start() {
       compiler.stop();
       say("Stopped. The next key starts the compiler again.");
     });
-    const keys = { s: save, o: openOwn };
+    const offer = () => offerChanges(compiler, editor, say);
+    byId("format").addEventListener("click", () => format(compiler, editor, say));
+    byId("offer").addEventListener("click", offer);
+    const keys = { s: save, o: openOwn, ".": offer };
     document.addEventListener("keydown", (event) => {
       const own = (event.ctrlKey || event.metaKey) && !event.altKey && !event.shiftKey ? keys[event.key] : undefined;
       if (own === undefined) return;

@@ -97,6 +97,6 @@ export class Shaping {
     event.stopPropagation();
     const step = held.pixel * (event.shiftKey ? 10 : 2);
     this.#put(held, way.map((x) => x * step));
-    this.#done(name);
+    this.#done();
   }
 }

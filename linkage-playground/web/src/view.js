@@ -31,6 +31,8 @@ export class View {
   // Shows a report. `frozen` holds the picture's size and position, while a joint is dragged.
   show({ report, programs }, frozen = false) {
     const { contentWindow: page, contentDocument: document } = this.#frame;
+    const hasFocus = this.#frame.ownerDocument.activeElement === this.#frame;
+    const point = hasFocus ? document.activeElement?.dataset.point : undefined;
     if (this.#handle !== null) {
       this.#before = this.#handle.state();
       this.#handle.end();
@@ -40,6 +42,8 @@ export class View {
     const before = this.#before && { ...this.#before, ...(frozen ? { playing: false } : { box: null }) };
     this.#handle = page.startPage({ programs: [JSON.parse(programs)], before, ...this.#host });
     document.body.classList.remove("stale");
+    // A reader who moves a joint by keys goes on with the same joint.
+    if (point !== undefined) document.querySelector(`[data-point="${CSS.escape(point)}"]`)?.focus({ preventScroll: true });
     return this.#handle;
   }
 
@@ -48,7 +52,10 @@ export class View {
     this.document.body?.classList.add("stale");
   }
 
+  // The next report has nothing to do with this one.
   forget() {
+    this.#handle?.end();
+    this.#handle = null;
     this.#before = null;
   }
 
