@@ -130,6 +130,7 @@ impl<'m> linkage_runtime::support::Compiled for Compiled<'m> {
         match self.mechanism.multiply_adds {
             MultiplyAdds::Generated => run_by::<Generated<f64, FUSED>>(program, load),
             MultiplyAdds::Fused => run_by::<Generated<f64, true>>(program, load),
+            MultiplyAdds::Separate => run_by::<Generated<f64, false>>(program, load),
         }
     }
 

@@ -154,6 +154,16 @@ impl Mechanism {
         }
     }
 
+    /// Returns the same mechanism with multiply-adds that are rounded twice on every machine. Its
+    /// numbers are those of a machine without the instruction, such as WebAssembly.
+    #[must_use]
+    pub fn with_separate_multiply_adds(self) -> Self {
+        Self {
+            multiply_adds: MultiplyAdds::Separate,
+            ..self
+        }
+    }
+
     /// Returns the name of its struct.
     #[must_use]
     pub fn name(&self) -> &'static str {

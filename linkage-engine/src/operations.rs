@@ -14,6 +14,8 @@ pub(crate) enum MultiplyAdds {
     Generated,
     /// Once on every machine.
     Fused,
+    /// Twice on every machine.
+    Separate,
 }
 
 impl MultiplyAdds {
@@ -22,6 +24,7 @@ impl MultiplyAdds {
         match self {
             Self::Generated => inlined(function, []),
             Self::Fused => function.at::<true>([]),
+            Self::Separate => function.at::<false>([]),
         }
     }
 
@@ -30,6 +33,7 @@ impl MultiplyAdds {
         match self {
             Self::Generated => dispatch(function, []),
             Self::Fused => function.at::<true>([]),
+            Self::Separate => function.at::<false>([]),
         }
     }
 }

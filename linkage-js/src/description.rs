@@ -1,5 +1,5 @@
 //! The description of a mechanism for the engine: its numbers and its programs, as an object of
-//! JavaScript.
+//! JavaScript or as JSON.
 
 use linkage_compiler::ir::{CompiledMechanism, Shape, plain};
 use linkage_core::numeric::continuation::Axis;
@@ -8,41 +8,48 @@ use linkage_core::range_check::Slack;
 use linkage_export::{CoupledDeclaration, Declarations, FunctionDeclaration, InputDeclaration};
 use linkage_symbolic::program::Program;
 
-use crate::instruction::{function, literal};
-use crate::object::{Object, list, numbers, text};
+use crate::object::{Notation, Object, list, text};
 
 /// The object of a mechanism.
-pub(crate) fn description(declarations: &Declarations) -> String {
+pub(crate) fn description(declarations: &Declarations, notation: Notation) -> String {
     let Declarations { unit, .. } = declarations;
     let inputs = unit.inputs.len();
-    let program = |input: &Program| function(input, inputs);
+    let program = |input: &Program| notation.function(input, inputs);
     let modes = unit.modes().into_iter();
     let modes: Vec<f64> = modes.map(|plus| if plus { 1.0 } else { -1.0 }).collect();
     let references: Vec<f64> = unit.inputs.iter().map(|entry| entry.reference).collect();
-    Object::new()
+    Object::new(notation)
         .with("name", text(declarations.title))
-        .with("dimensions", dimensions(unit))
-        .with("inputs", list(declarations.inputs.iter().map(input)))
+        .with("dimensions", dimensions(unit, notation))
+        .with(
+            "inputs",
+            list(
+                declarations
+                    .inputs
+                    .iter()
+                    .map(|entry| input(entry, notation)),
+            ),
+        )
         .with(
             "arguments",
             list(unit.arguments.iter().map(|argument| {
-                let argument = Object::new()
+                let argument = Object::new(notation)
                     .with("name", text(plain(&argument.name)))
                     .with("unit", text(&argument.unit));
                 argument.text()
             })),
         )
-        .with("reference", numbers(&references))
-        .with("modes", numbers(&modes))
-        .with("groups", groups(unit))
-        .with("angles", angles(unit))
+        .with("reference", notation.numbers(&references))
+        .with("modes", notation.numbers(&modes))
+        .with("groups", groups(unit, notation))
+        .with("angles", angles(unit, notation))
         .with(
             "coupled",
             list(
                 declarations
                     .coupled
                     .iter()
-                    .map(|group| coupled(unit, group)),
+                    .map(|group| coupled(unit, group, notation)),
             ),
         )
         .with(
@@ -51,62 +58,52 @@ pub(crate) fn description(declarations: &Declarations) -> String {
                 declarations
                     .functions
                     .iter()
-                    .map(|item| evaluator(item, inputs)),
+                    .map(|item| evaluator(item, inputs, notation)),
             ),
         )
         .with("slots", unit.prepare.outputs.len().to_string())
         .with("bearingNumbers", unit.bearings.outputs.len().to_string())
-        .with(
-            "prepare",
-            format!(
-                "(own, out) => ({})(own, null, null, out)",
-                program(&unit.prepare)
-            ),
-        )
-        .with(
-            "bearings",
-            format!(
-                "(own, out) => ({})(own, null, null, out)",
-                program(&unit.bearings)
-            ),
-        )
+        .with("prepare", notation.preparation(&unit.prepare, inputs))
+        .with("bearings", notation.preparation(&unit.bearings, inputs))
         .with("directions", program(&unit.directions))
         .with("gaps", program(&unit.gaps))
         .with("slacks", program(&unit.slacks()))
         .text()
 }
 
-fn dimensions(unit: &CompiledMechanism) -> String {
+fn dimensions(unit: &CompiledMechanism, notation: Notation) -> String {
     list(unit.scalars().map(|scalar| {
-        Object::new()
+        Object::new(notation)
             .with("name", text(&scalar.name))
             .with("unit", text(&scalar.unit))
-            .with("value", literal(scalar.nominal))
-            .with("tolerance", literal(scalar.tolerance))
+            .with("value", notation.literal(scalar.nominal))
+            .with("tolerance", notation.literal(scalar.tolerance))
             .text()
     }))
 }
 
-fn input(declaration: &InputDeclaration) -> String {
+fn input(declaration: &InputDeclaration, notation: Notation) -> String {
     let declared = declaration.input;
-    let range = declared.range.map(|(low, high)| numbers(&[low, high]));
-    Object::new()
+    let range = declared
+        .range
+        .map(|(low, high)| notation.numbers(&[low, high]));
+    Object::new(notation)
         .with("name", text(declaration.name))
         .with("unit", text(&declared.unit))
         .with("angle", declared.angle.to_string())
-        .with("reference", literal(declared.reference))
+        .with("reference", notation.literal(declared.reference))
         .with("range", range.unwrap_or_else(|| "null".to_owned()))
         .with(
             "followed",
-            numbers(&[declared.followed.0, declared.followed.1]),
+            notation.numbers(&[declared.followed.0, declared.followed.1]),
         )
-        .with("rates", numbers(&declared.rates))
+        .with("rates", notation.numbers(&declared.rates))
         .text()
 }
 
-fn groups(unit: &CompiledMechanism) -> String {
+fn groups(unit: &CompiledMechanism, notation: Notation) -> String {
     list(unit.groups.iter().map(|group| {
-        Object::new()
+        Object::new(notation)
             .with("kind", text(&group.kind))
             .with("loops", list(group.loops.iter().map(usize::to_string)))
             .with(
@@ -132,15 +129,15 @@ fn slack(kind: Slack) -> &'static str {
     }
 }
 
-fn angles(unit: &CompiledMechanism) -> String {
+fn angles(unit: &CompiledMechanism, notation: Notation) -> String {
     list(unit.angles.iter().map(|angle| {
         let phases = angle.phases.iter().map(|phase| {
             let turns = phase.turns.as_ref();
-            turns.map_or_else(|| "null".to_owned(), |turns| numbers(turns))
+            turns.map_or_else(|| "null".to_owned(), |turns| notation.numbers(turns))
         });
-        Object::new()
+        Object::new(notation)
             .with("name", text(plain(&unit.unknowns[angle.unknown].name)))
-            .with("estimate", literal(angle.estimate))
+            .with("estimate", notation.literal(angle.estimate))
             .with("inputs", list(angle.inputs.iter().map(usize::to_string)))
             .with("phases", list(phases))
             .text()
@@ -148,7 +145,11 @@ fn angles(unit: &CompiledMechanism) -> String {
 }
 
 /// A group without a closed form, with its state at the reference inputs.
-fn coupled(unit: &CompiledMechanism, declaration: &CoupledDeclaration) -> String {
+fn coupled(
+    unit: &CompiledMechanism,
+    declaration: &CoupledDeclaration,
+    notation: Notation,
+) -> String {
     let group = declaration.group;
     let lengths = group.variables.iter().flat_map(|variable| match variable {
         Variable::Unit => &[false, false][..],
@@ -163,32 +164,38 @@ fn coupled(unit: &CompiledMechanism, declaration: &CoupledDeclaration) -> String
     let Some(states) = &declaration.states else {
         unreachable!("what is printed has been closed")
     };
-    Object::new()
+    Object::new(notation)
         .with("group", group.group.to_string())
         .with("inputs", list(group.inputs.iter().map(usize::to_string)))
         .with("size", group.size.to_string())
         .with("turning", group.turning.to_string())
         .with("lengths", list(lengths.map(bool::to_string)))
-        .with("axes", list(states.axes().iter().map(axis)))
-        .with("state", numbers(&state))
-        .with("determinant", literal(2.0 * floor))
-        .with("correct", function(&group.correct, unit.inputs.len()))
+        .with(
+            "axes",
+            list(states.axes().iter().map(|along| axis(along, notation))),
+        )
+        .with("state", notation.numbers(&state))
+        .with("determinant", notation.literal(2.0 * floor))
+        .with(
+            "correct",
+            notation.function(&group.correct, unit.inputs.len()),
+        )
         .text()
 }
 
-fn axis(along: &Axis) -> String {
-    Object::new()
-        .with("middle", literal(along.middle))
-        .with("length", literal(along.length))
-        .with("repeats", literal(along.turns))
+fn axis(along: &Axis, notation: Notation) -> String {
+    Object::new(notation)
+        .with("middle", notation.literal(along.middle))
+        .with("length", notation.literal(along.length))
+        .with("repeats", notation.literal(along.turns))
         .text()
 }
 
-fn evaluator(declaration: &FunctionDeclaration, inputs: usize) -> String {
+fn evaluator(declaration: &FunctionDeclaration, inputs: usize, notation: Notation) -> String {
     let called = declaration.function;
     let program = &called.called.program;
     let columns = called.columns.iter().map(|column| {
-        Object::new()
+        Object::new(notation)
             .with("name", text(&column.name))
             .with("unit", text(&column.unit))
             .text()
@@ -196,7 +203,7 @@ fn evaluator(declaration: &FunctionDeclaration, inputs: usize) -> String {
     let fields = declaration.fields.iter();
     let fields = fields.map(|field| list([text(&field.name), shape(field.shape)].into_iter()));
     let arguments = declaration.arguments.iter();
-    Object::new()
+    Object::new(notation)
         .with("name", text(&declaration.items[0]))
         .with(
             "arguments",
@@ -205,7 +212,7 @@ fn evaluator(declaration: &FunctionDeclaration, inputs: usize) -> String {
         .with("coupled", (!called.states.is_empty()).to_string())
         .with("columns", list(columns))
         .with("fields", list(fields))
-        .with("run", function(program, inputs))
+        .with("run", notation.function(program, inputs))
         .text()
 }
 

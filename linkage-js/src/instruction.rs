@@ -94,7 +94,7 @@ const FUNCTIONS: [(&str, &str); 10] = [
 
 /// The function of JavaScript for an operation: by default that of its name, `inverseScale` for
 /// `inverse_scale`.
-fn function_of(name: &str) -> String {
+pub(crate) fn function_of(name: &str) -> String {
     if let Some((_, function)) = FUNCTIONS.iter().find(|(operation, _)| *operation == name) {
         return (*function).to_owned();
     }

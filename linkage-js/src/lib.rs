@@ -41,6 +41,8 @@ mod js_names;
 mod module;
 #[cfg(feature = "description")]
 mod object;
+#[cfg(feature = "description")]
+mod program_data;
 #[cfg(feature = "module")]
 mod types;
 
@@ -53,10 +55,28 @@ use linkage_export::Declarations;
 use js_names::JavaScript;
 #[cfg(feature = "module")]
 pub use module::{Clash, Module, module, modules};
+#[cfg(feature = "description")]
+use object::Notation;
 
 /// Returns the description of a mechanism for the engine: an object of
 /// JavaScript with its programs. Pages of reports have it next to the engine.
 #[cfg(feature = "description")]
 pub fn description(name: &str, unit: &CompiledMechanism) -> String {
-    description::description(&Declarations::new(name, unit, &JavaScript))
+    description::description(
+        &Declarations::new(name, unit, &JavaScript),
+        Notation::Script,
+    )
+}
+
+/// Returns the [`description`] as JSON, for pages whose content policy allows no new code. Their
+/// script has the [`interpreter`], whose function `revived` makes the object from it.
+#[cfg(feature = "description")]
+pub fn description_data(name: &str, unit: &CompiledMechanism) -> String {
+    description::description(&Declarations::new(name, unit, &JavaScript), Notation::Json)
+}
+
+/// Returns the part of the engine that runs programs of [`description_data`], as text.
+#[cfg(feature = "description")]
+pub fn interpreter() -> String {
+    program_data::interpreter()
 }

@@ -10,6 +10,7 @@ use linkage_export::Declarations;
 use crate::description::description;
 use crate::engine::module_engine;
 use crate::js_names::JavaScript;
+use crate::object::Notation;
 use crate::types;
 
 /// A mechanism as JavaScript.
@@ -45,7 +46,7 @@ impl Error for Clash {}
 pub fn module(title: &str, unit: &CompiledMechanism) -> Module {
     let engine = module_engine();
     let declarations = Declarations::new(title, unit, &JavaScript);
-    let description = description(&declarations);
+    let description = description(&declarations, Notation::Script);
     let name = &declarations.name;
     let renamed = match name == title {
         true => String::new(),

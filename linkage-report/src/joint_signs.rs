@@ -3,7 +3,7 @@
 use serde_json::{Map, Value, json};
 use std::string::String;
 
-use linkage_core::{JointShape, PictureJoint};
+use linkage_core::JointShape;
 
 /// The name and the sign of a kind of joint.
 pub(super) struct JointSign {
@@ -68,6 +68,15 @@ impl Bar {
     }
 }
 
+/// All kinds of joints that pictures have.
+pub(super) const ALL_SHAPES: [JointShape; 5] = [
+    JointShape::Pin,
+    JointShape::Slide,
+    JointShape::Ball,
+    JointShape::Universal,
+    JointShape::Cylindrical,
+];
+
 /// Returns the name and the sign of a kind of joint.
 pub(super) const fn sign(shape: JointShape) -> JointSign {
     match shape {
@@ -120,8 +129,8 @@ pub(super) const fn sign(shape: JointShape) -> JointSign {
 }
 
 /// Returns the constant of the page's script with the signs of these joints.
-pub(super) fn page_constant(joints: &[PictureJoint]) -> String {
-    let signs = joints.iter().map(|joint| sign(joint.shape));
+pub(super) fn page_constant(shapes: impl Iterator<Item = JointShape>) -> String {
+    let signs = shapes.map(sign);
     let table: Map<String, Value> = signs
         .map(|sign| {
             let value = json!({
@@ -142,19 +151,12 @@ pub(super) fn page_constant(joints: &[PictureJoint]) -> String {
 mod tests {
     use super::*;
 
-    const SHAPES: [JointShape; 5] = [
-        JointShape::Pin,
-        JointShape::Slide,
-        JointShape::Ball,
-        JointShape::Universal,
-        JointShape::Cylindrical,
-    ];
     const SCRIPT: &str = include_str!("page/signs.js");
 
     /// Scripts read the table: no other place has the names of joints.
     #[test]
     fn scripts_name_no_joint() {
-        for shape in SHAPES {
+        for shape in ALL_SHAPES {
             let quoted = std::format!("\"{}\"", sign(shape).name);
             for script in [SCRIPT, include_str!("page/points.js")] {
                 assert!(!script.contains(&quoted), "{quoted}");
@@ -164,7 +166,7 @@ mod tests {
 
     #[test]
     fn the_page_has_all_directions_and_bars_of_the_table() {
-        for shape in SHAPES {
+        for shape in ALL_SHAPES {
             let JointSign {
                 directions, bar, ..
             } = sign(shape);
@@ -176,22 +178,13 @@ mod tests {
 
     #[test]
     fn the_constant_has_the_joints_that_are_drawn() {
-        const JOINTS: [PictureJoint; 2] = [
-            PictureJoint {
-                point: 0,
-                shape: JointShape::Pin,
-            },
-            PictureJoint {
-                point: 1,
-                shape: JointShape::Slide,
-            },
-        ];
-        let constant = page_constant(&JOINTS);
+        const SHAPES: [JointShape; 2] = [JointShape::Pin, JointShape::Slide];
+        let constant = page_constant(SHAPES.into_iter());
         assert!(constant.starts_with("const JOINT_SIGNS = {\"pin\":{"));
         assert!(
             constant
                 .contains("\"slide\":{\"bar\":\"sleeve\",\"directions\":\"none\",\"drawn\":false")
         );
-        assert_eq!(page_constant(&[]), "const JOINT_SIGNS = {};\n");
+        assert_eq!(page_constant([].into_iter()), "const JOINT_SIGNS = {};\n");
     }
 }

@@ -41,6 +41,7 @@ mod summary;
 mod tables;
 mod traced_points;
 mod version;
+mod view;
 mod write;
 
 pub use accuracy::BandKind;
@@ -54,3 +55,5 @@ pub use linkage_formats::{CsvStyle, Mistake, ReportError};
 pub use plot::Plot;
 pub use row::SummaryRow;
 pub use version::show_mistakes;
+#[doc(hidden)]
+pub use view::{PageView, page_view};

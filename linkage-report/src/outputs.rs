@@ -55,6 +55,16 @@ impl Report {
         page::page_html(self)
     }
 
+    /// Returns the data of the page as JSON, for the host of a [`page_view`](crate::page_view).
+    ///
+    /// # Errors
+    ///
+    /// As [`check`](Self::check).
+    #[doc(hidden)]
+    pub fn page_data(&self) -> Result<String, ReportError> {
+        json::page_json(self)
+    }
+
     /// A plot of columns against the input. Quantities that the report has sensitivities of get
     /// bands of their tolerances.
     ///

@@ -10,8 +10,10 @@ use linkage_formats::ReportError;
 use linkage_formats::colour::page_rules;
 use linkage_js::engine::{OTHERS, engine, with_constants};
 
-const BODY: &str = include_str!("page/page.html");
-const STYLES: [&str; 7] = [
+/// Words of a browser that does not run the script.
+const UNSUPPORTED: &str = include_str!("page/unsupported.html");
+pub(super) const BODY: &str = include_str!("page/page.html");
+pub(super) const STYLES: [&str; 7] = [
     include_str!("page/style.css"),
     include_str!("page/drawing.css"),
     include_str!("page/signs.css"),
@@ -21,7 +23,7 @@ const STYLES: [&str; 7] = [
     include_str!("page/print.css"),
 ];
 /// Joined in this order; the last one starts the page.
-const SCRIPTS: [&str; 48] = [
+pub(super) const SCRIPTS: [&str; 48] = [
     include_str!("page/dom.js"),
     include_str!("page/fresh.js"),
     include_str!("page/numbers.js"),
@@ -77,13 +79,13 @@ const CYCLOGRAM: [&str; 2] = [
     include_str!("page/cyclogram.js"),
     include_str!("page/moments.js"),
 ];
-const NO_CYCLOGRAM: &str = include_str!("page/no_cyclogram.js");
+pub(super) const NO_CYCLOGRAM: &str = include_str!("page/no_cyclogram.js");
 
-const START: usize = SCRIPTS.len() - 1;
+pub(super) const START: usize = SCRIPTS.len() - 1;
 
 /// Styles and scripts of a page that computes, before the last script.
-const LIVE_STYLE: &str = include_str!("page/live/live.css");
-const LIVE: [&str; 21] = [
+pub(super) const LIVE_STYLE: &str = include_str!("page/live/live.css");
+pub(super) const LIVE: [&str; 21] = [
     include_str!("page/live/model.js"),
     include_str!("page/live/derived.js"),
     include_str!("page/live/reason.js"),
@@ -117,8 +119,9 @@ const LIVE_CYCLE: [&str; 2] = [
 pub(super) fn page_html(report: &Report) -> Result<String, ReportError> {
     let joints =
         positioned_picture::find_picture(report).map_or(&[][..], |shown| shown.picture.joints);
-    let script = engine_script(report)
-        + &joint_signs::page_constant(joints)
+    let script = String::from("const host = null;\n")
+        + &engine_script(report)
+        + &joint_signs::page_constant(joints.iter().map(|joint| joint.shape))
         + &SCRIPTS[..START].join("\n")
         + &cyclogram_script(report)
         + &live_script(report)
@@ -129,7 +132,7 @@ pub(super) fn page_html(report: &Report) -> Result<String, ReportError> {
         index: report.index.as_deref(),
         policy: &content_policy(report),
         style: &(page_styles(report) + &page_rules(machine::link_hues(report))),
-        body: BODY,
+        body: &[UNSUPPORTED, BODY].concat(),
         data: ("report", &json::page_json(report)?),
         script: &script,
     };
@@ -191,6 +194,7 @@ fn page_styles(report: &Report) -> String {
 #[cfg(test)]
 mod tests {
     use super::super::frame::bare;
+    use super::super::view::VIEW;
     use super::*;
     use linkage_js::engine::{ENGINE, MODULE};
     use std::collections::BTreeSet;
@@ -219,6 +223,7 @@ mod tests {
             .chain(&MODULE)
             .chain(&CYCLOGRAM)
             .chain(&LIVE_CYCLE)
+            .chain(&VIEW)
             .chain([&NO_CYCLOGRAM, &OTHERS]);
         for line in all.flat_map(|script| script.lines()) {
             let is_comment = line.trim_start().starts_with("//");
@@ -234,7 +239,8 @@ mod tests {
             .iter()
             .chain(&CYCLOGRAM)
             .chain(&LIVE)
-            .chain(&LIVE_CYCLE);
+            .chain(&LIVE_CYCLE)
+            .chain(&VIEW);
         for line in all.flat_map(|script| script.lines()) {
             let mut words = line.split(|c: char| !(c.is_alphanumeric() || c == '_'));
             if let Some("function" | "const" | "let") = words.next() {

@@ -9,7 +9,7 @@ use std::thread;
 use crate::lexer::{Lexed, lexed};
 
 /// Crates by their folders; the facade has its sources in `src`.
-pub(crate) const CRATES: [&str; 21] = [
+pub(crate) const CRATES: [&str; 23] = [
     "linkage-analysis",
     "linkage-c",
     "linkage-cli",
@@ -24,6 +24,8 @@ pub(crate) const CRATES: [&str; 21] = [
     "linkage-js",
     "linkage-language",
     "linkage-macros",
+    "linkage-page",
+    "linkage-playground",
     "linkage-report",
     "linkage-rust",
     "linkage-runtime",

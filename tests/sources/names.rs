@@ -71,7 +71,7 @@ const KNOWN_REPETITIONS: usize = 25;
 
 /// The greatest numbers for each crate: files, types, functions of such a name, and the counted
 /// identifiers.
-const KNOWN: [(&str, [usize; COUNTS]); 21] = [
+const KNOWN: [(&str, [usize; COUNTS]); 23] = [
     ("linkage-analysis", [0, 0, 0, 0, 0]),
     ("linkage-c", [0, 0, 0, 0, 0]),
     ("linkage-cli", [0, 0, 0, 0, 0]),
@@ -86,6 +86,8 @@ const KNOWN: [(&str, [usize; COUNTS]); 21] = [
     ("linkage-js", [0, 0, 0, 0, 0]),
     ("linkage-language", [0, 0, 0, 0, 0]),
     ("linkage-macros", [0, 0, 0, 0, 0]),
+    ("linkage-page", [0, 0, 0, 0, 0]),
+    ("linkage-playground", [0, 0, 0, 0, 0]),
     ("linkage-report", [0, 0, 0, 0, 0]),
     ("linkage-rust", [0, 0, 0, 0, 0]),
     ("linkage-runtime", [0, 0, 0, 0, 0]),

@@ -1,7 +1,6 @@
 //! `linkage page`: the report of all functions.
 
 mod banner;
-pub(super) mod derived_functions;
 mod report;
 mod watched;
 
@@ -11,6 +10,7 @@ use std::time::{SystemTime, UNIX_EPOCH};
 
 use clap::{Args, value_parser};
 use linkage_engine::{Mechanism, Source};
+use linkage_page::{Missing, with_functions};
 use linkage_report::{Index, Report, ReportError};
 
 use super::arguments_given::{refuse_unknown, takes};
@@ -21,7 +21,6 @@ use super::sweep::runs;
 use super::values::{Dimensions, parts};
 use crate::failure::Failure;
 use crate::normal::normal;
-use derived_functions::{Missing, with_functions};
 use report::{ReportOptions, report};
 use watched::{Stamp, follow};
 

@@ -28,10 +28,10 @@ mod xml;
 
 use clap::Args;
 use linkage_engine::{Mechanism, Source};
+use linkage_page::{selections, with_further_functions};
 use linkage_runtime::Input;
 
 use super::output::put;
-use super::page::derived_functions::{compiled, selections};
 use super::range;
 use super::sweep::{all_arguments, running, still};
 use crate::failure::Failure;
@@ -178,7 +178,7 @@ fn with_functions(source: &Source, name: &str, declared: &Declared) -> Result<Me
     let found = selections(&inputs).into_iter().find_map(|inputs| {
         let inputs = inputs.join(", ");
         let positions = format!("fn {POSITIONS}({inputs}) -> RobotPositions {{ {positions} }}");
-        compiled(source, name, &format!("{positions} {constants}"))
+        with_further_functions(source, name, &format!("{positions} {constants}"))
     });
     found.ok_or_else(|| {
         Failure::Told(format!(

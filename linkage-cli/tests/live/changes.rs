@@ -338,6 +338,56 @@ fn defaults_of_every_form_are_replaced() {
     page.assert_quiet();
 }
 
+/// Drawn joints of the frame, in lists, and lengths of links. A length that is drawn has no number.
+#[test]
+fn joints_and_lengths_are_replaced() {
+    let text = "
+    pub struct Drawn {
+        unit mm;
+        joint a = (0mm, 0mm), d = (140mm, 0mm);  // joint d = (1mm, 2mm)
+        joint b = (25mm, 43.3mm), c = (115mm, 96.8mm);
+        input phi = 60deg in 0deg..360deg;
+        link frame: a, d;
+        link crank: a, b at phi;
+        link coupler: b, c;
+        link rocker: d, c length 100mm +- 0.05mm;
+    }
+    impl Drawn { pub fn motion(phi) -> DrawnMotion { psi: rocker.angle } }";
+    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("drawn_joints");
+    fs::create_dir_all(&folder).expect("a folder");
+    fs::write(folder.join("drawn.mech"), text).expect("a file");
+    let mut command = Command::new(env!("CARGO_BIN_EXE_linkage"));
+    let output = command
+        .args(["page", "drawn.mech"])
+        .current_dir(&folder)
+        .output();
+    let output = output.expect("it runs");
+    assert!(output.status.success(), "{output:?}");
+    let Some(mut page) = Page::open(&folder.join("drawn_page/index.html")) else {
+        return;
+    };
+    page.value(CATCH);
+    for (name, value) in [
+        ("d.x", "141"),
+        ("d.y", "-2"),
+        ("rocker.length", "99.5"),
+        ("coupler.length", "105"),
+    ] {
+        typed(&mut page, name, value);
+    }
+    let changed = saved_file(&mut page, "Drawn.mech");
+    let expected = text
+        .replace("(140mm, 0mm)", "(141mm, -2mm)")
+        .replace("length 100mm", "length 99.5mm");
+    let (notes, rest) = changed.split_once("\n\n").expect("notes before the text");
+    assert_eq!(format!("\n{rest}"), expected);
+    assert!(
+        notes.ends_with("\n// not part of this text: coupler.length"),
+        "{notes}"
+    );
+    page.assert_quiet();
+}
+
 /// Lines of DXF in an order of their own, numbers without their last digits: outlines may begin at other corners.
 fn entities(dxf: &str) -> Vec<String> {
     let rounded = |line: &str| match line.parse::<f64>() {

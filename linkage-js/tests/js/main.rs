@@ -2,6 +2,7 @@
 
 mod all_programs;
 mod constants;
+mod interpreted;
 mod module;
 mod names;
 mod page;

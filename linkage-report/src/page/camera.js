@@ -18,6 +18,7 @@ const camera = {
   // Angles of the eye about z and above the x-y plane.
   turn: picture?.view ?? VIEWS["3-D"],
   listeners: [],
+  ...before?.camera,
 };
 
 function isSpatial() {

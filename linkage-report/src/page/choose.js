@@ -60,7 +60,7 @@ function isTraced(column) {
 }
 
 function startChooser(changed) {
-  for (const column of firstChoice()) chosen.add(column.key);
+  for (const key of before?.chosen ?? firstChoice().map((column) => column.key)) chosen.add(key);
   const groups = [];
   for (const [title, members] of grouped()) groups.push(chooserGroup(title, members, changed));
   const count = element("span", { class: "count" });

@@ -123,7 +123,7 @@ function startCyclogram() {
   byId("cyclogram").hidden = false;
   byId("stage").classList.add("cyclic");
   byId("cyclogram").prepend(cycle.view);
-  new ResizeObserver(drawCyclogram).observe(byId("cyclogram"));
+  observeSize(byId("cyclogram"), drawCyclogram);
   drawCyclogram();
   onMove(moveShaft);
 }

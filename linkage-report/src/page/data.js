@@ -7,14 +7,21 @@ if (report.live) ownNumbers();
 const input = report.input;
 const rowCount = input.values.length;
 
+// The state of the page that the host showed before, if that was of the same mechanism.
+const before = host?.before?.title === report.title ? host.before : null;
+
 // Every column of every table, and the true velocities and accelerations beside them.
 const columns = collectColumns();
 
 // One number for all rows, or the bytes of all, as little-endian processors have them.
 function unpacked(packed) {
   if (Array.isArray(packed)) return Array(packed[1]).fill(packed[0]);
-  const bytes = Uint8Array.from(atob(packed), (letter) => letter.charCodeAt(0));
-  return Array.from(new Float64Array(bytes.buffer), (number) => (Number.isNaN(number) ? null : number));
+  const letters = atob(packed);
+  const bytes = new Uint8Array(letters.length);
+  for (let k = 0; k < letters.length; k += 1) bytes[k] = letters.charCodeAt(k);
+  const numbers = [...new Float64Array(bytes.buffer)];
+  for (let k = 0; k < numbers.length; k += 1) if (Number.isNaN(numbers[k])) numbers[k] = null;
+  return numbers;
 }
 
 // The data with lists of decimals, as the file beside the page has them.

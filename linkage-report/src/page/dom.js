@@ -10,9 +10,24 @@ function byId(id) {
 function set(node, attributes) {
   for (const [name, value] of Object.entries(attributes)) {
     if (value === null || value === false) node.removeAttribute(name);
+    else if (name === "style") node.style.cssText = value;
     else setAttributeTo(node, name, value === true ? "" : String(value));
   }
   return node;
+}
+
+// Ends when a host shows another report in place of this one.
+const life = new AbortController();
+
+// Listens to the window, the document, or the system.
+function listen(target, name, listener) {
+  target.addEventListener(name, listener, { signal: life.signal });
+}
+
+function observeSize(node, listener) {
+  const observer = new ResizeObserver(listener);
+  observer.observe(node);
+  life.signal.addEventListener("abort", () => observer.disconnect());
 }
 
 // An equal value would make the browser arrange everything again.

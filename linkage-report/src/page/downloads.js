@@ -47,7 +47,7 @@ function downloadButton(name, make) {
 function startDownloads() {
   const csv = report.tables.map((table) =>
     downloadButton(`${table.function}.csv`, () => new Blob([csvOf(columns.filter((column) => column.table === table.function))], { type: "text/csv" })));
-  const copy = downloadButton("page.html", () => new Blob([pageCopy()], { type: "text/html" }));
+  const copy = downloadButton("page.html", async () => new Blob([host === null ? pageCopy() : await host.page()], { type: "text/html" }));
   const json = downloadButton("data.json", () => new Blob([saved.json()], { type: "application/json" }));
   addSheet("Data", true,
     ...(report.thinned ? [element("p", {}, thinnedText())] : []),

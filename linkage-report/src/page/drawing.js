@@ -19,7 +19,8 @@ const drawing = {
 function startDrawing() {
   if (!picture) return;
   byId("figure").hidden = false;
-  camera.box = extent();
+  // While a joint is dragged, the picture does not change its size.
+  camera.box = before?.box ?? extent();
   makeLayers();
   makeParts();
   startGestures();
@@ -28,8 +29,9 @@ function startDrawing() {
   startMachine();
   startPhoto();
   camera.listeners.push(redraw);
-  new ResizeObserver(measureDrawing).observe(byId("figure"));
-  measureDrawing();
+  observeSize(byId("figure"), measureDrawing);
+  if (before === null) measureDrawing();
+  else layDrawing(before.camera);
   for (const index of picture.traces) toggleTrace(index);
   drawing.placers.push(placeParts);
   onMove(placeParts);
@@ -66,7 +68,10 @@ function makeParts() {
 
 function measureDrawing() {
   const { width, height } = byId("figure").getBoundingClientRect();
-  if (!(width > 0 && height > 0)) return;
+  if (width > 0 && height > 0) layDrawing({ width, height });
+}
+
+function layDrawing({ width, height }) {
   camera.width = width;
   camera.height = height;
   drawing.tools = [...byId("figure").querySelectorAll(".tools:not(:empty)")].map(({ offsetLeft: x, offsetTop: y, offsetWidth: w, offsetHeight: h }) =>

@@ -7,7 +7,7 @@ function showNumber(node, value, sign = "") {
 }
 
 function startCopying() {
-  document.addEventListener("copy", copyExactly);
+  listen(document, "copy", copyExactly);
 }
 
 function copyExactly(event) {

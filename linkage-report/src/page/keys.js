@@ -38,5 +38,5 @@ function onKey(event) {
 }
 
 function startKeys() {
-  document.addEventListener("keydown", onKey);
+  listen(document, "keydown", onKey);
 }

@@ -3,7 +3,7 @@
 // Seconds that the range takes.
 const PERIODS = [1, 2, 4, 8, 16, 32, 64];
 
-const player = { playing: false, backward: false, period: 8, value: 0, last: null };
+const player = { playing: false, backward: false, period: before?.period ?? 8, value: 0, last: null };
 
 function span() {
   return input.values[rowCount - 1] - input.values[0];
@@ -100,7 +100,7 @@ function startPlayer() {
   });
   byId("play").addEventListener("click", () => setPlaying(!player.playing));
   byId("direction").addEventListener("click", () => setBackward(!player.backward));
-  setBackward(runsBackward());
+  setBackward(before?.backward ?? runsBackward());
   onMove(showPosition);
 }
 

@@ -7,10 +7,12 @@ function startPlots() {
   byId("chooser").append(apartChoice(), ...abscissaChoice(), extremesChoice(), zoomButtons());
   if (columns.some((column) => column.bands.length > 0)) byId("chooser").append(wideningChoice());
   byId("chooser").append(zoomHint());
-  new ResizeObserver(measurePanels).observe(byId("panels"));
+  observeSize(byId("panels"), measurePanels);
   onMove(showCursors);
   if (report.thinned) byId("plots-title").after(element("p", { id: "thinned", class: "cut" }, thinnedText()));
-  measurePanels();
+  if (before === null) return measurePanels();
+  plots.width = before.plotWidth;
+  makePanels();
 }
 
 function thinnedText() {

@@ -3,8 +3,8 @@
 const printed = { opened: [] };
 
 function startPrint() {
-  addEventListener("beforeprint", openFolds);
-  addEventListener("afterprint", closeFolds);
+  listen(window, "beforeprint", openFolds);
+  listen(window, "afterprint", closeFolds);
 }
 
 function openFolds() {

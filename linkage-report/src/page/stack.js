@@ -60,6 +60,6 @@ function pointOut(place) {
 function startStack() {
   document.addEventListener("pointerdown", (event) => {
     if (stack.list && !stack.list.contains(event.target)) closeStack();
-  }, true);
-  document.addEventListener("keydown", (event) => event.key === "Escape" && closeStack());
+  }, { capture: true, signal: life.signal });
+  listen(document, "keydown", (event) => event.key === "Escape" && closeStack());
 }

@@ -7,6 +7,6 @@ function startStage() {
   const place = () => {
     stage.style.top = `${Math.min(STAGE_AIR, innerHeight - stage.offsetHeight - STAGE_AIR)}px`;
   };
-  new ResizeObserver(place).observe(stage);
-  addEventListener("resize", place);
+  observeSize(stage, place);
+  listen(window, "resize", place);
 }

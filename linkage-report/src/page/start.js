@@ -36,10 +36,12 @@ function start() {
   startStage();
   startCopying();
   if (report.live) startLive();
+  if (before !== null) resume();
   announcePosition();
   document.body.dataset.ready = "true";
   // A reader who wants less motion starts it.
-  if (picture && rowCount > 1 && !matchMedia("(prefers-reduced-motion: reduce)").matches) setPlaying(true);
+  const moves = before?.playing ?? !matchMedia("(prefers-reduced-motion: reduce)").matches;
+  if (picture && rowCount > 1 && moves) setPlaying(true);
 }
 
 start();

@@ -17,6 +17,6 @@ function startTheme() {
     document.documentElement.dataset.theme = isDark() ? "light" : "dark";
     nameTheme();
   });
-  systemDark.addEventListener("change", nameTheme);
+  listen(systemDark, "change", nameTheme);
   nameTheme();
 }

@@ -13,12 +13,12 @@ function startLive() {
   makeControls();
   onChange(showChange);
   onChange(showControls);
-  const changes = location.hash || `#${document.documentElement.dataset.changes ?? ""}`;
+  const changes = host === null ? location.hash || `#${document.documentElement.dataset.changes ?? ""}` : "#";
   if (changes === "#") showControls();
   else say(readLink(changes));
   past.last = snapshot();
-  document.addEventListener("keydown", onLiveKey);
-  addEventListener("hashchange", ({ newURL }) => {
+  listen(document, "keydown", onLiveKey);
+  listen(window, "hashchange", ({ newURL }) => {
     // The page may have written its own address before it hears of a new one.
     const { hash } = new URL(newURL);
     if (hash.slice(1) === fragment()) return;
@@ -26,7 +26,7 @@ function startLive() {
     keepStep();
   });
   // A page that goes has its last change in its address.
-  addEventListener("pagehide", () => link.waiting !== null && writeLinkNow());
+  listen(window, "pagehide", () => link.waiting !== null && writeLinkNow());
   startPulling();
   if (picture) byId("hint").firstChild.after(" Pull pivots and bars to change dimensions, with shift to all digits.");
 }
@@ -50,7 +50,7 @@ function makeControls() {
     button("redo", "Redo", "Redo (ctrl y)", redo),
     keepButton(),
     ...(live.firstModes.length > 0 || engine.programs[0].coupled.length > 0 ? [assemblyChoice()] : []),
-    element("span", { class: "choices" }, "Copy ", copy("copy-rust", "Rust", asRust), copy("copy-text", "text", asText), copy("copy-link", "link", addressNow)));
+    element("span", { class: "choices" }, "Copy ", copy("copy-rust", "Rust", asRust), copy("copy-text", "text", asText), ...(host === null ? [copy("copy-link", "link", addressNow)] : [])));
   const says = element("p", { id: "says", role: "status" });
   // On a phone the plots come first.
   const box = fold("Change dimensions", matchMedia("(min-width: 861px)").matches, buttons, says, element("div", { class: "dimensions" }, ...rows));

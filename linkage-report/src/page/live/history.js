@@ -22,6 +22,7 @@ function keepStep() {
   past.next = [];
   past.last = now;
   writeLink();
+  host?.kept();
   showHistory();
 }
 
@@ -34,6 +35,7 @@ function goBack(from, to) {
   Object.assign(live, { modes: past.last.modes, choice: past.last.choice, assemblies: past.last.assemblies });
   tell(change(past.last.dimensions));
   writeLink();
+  host?.kept();
   showHistory();
 }
 

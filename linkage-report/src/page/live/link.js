@@ -17,7 +17,8 @@ const LINK_EVERY = 120;
 const link = { last: -Infinity, waiting: null };
 
 function writeLink() {
-  if (link.waiting !== null) return;
+  // The address is that of the host.
+  if (host !== null || link.waiting !== null) return;
   const rest = link.last + LINK_EVERY - performance.now();
   if (rest <= 0) writeLinkNow();
   else link.waiting = setTimeout(writeLinkNow, rest);

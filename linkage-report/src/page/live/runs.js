@@ -22,7 +22,7 @@ function runButton({ name, unit, slider, put }) {
     return run.backward ? high : low;
   };
   const frame = (now) => {
-    if (!run.on) return;
+    if (!run.on || life.signal.aborted) return;
     const seconds = run.last === null ? 0 : Math.min(0.25, (now - run.last) / 1000);
     run.last = now;
     tell(put(next(valueNow(name) + ((run.backward ? -1 : 1) * seconds * (high - low)) / player.period)));

@@ -6,16 +6,20 @@ function startText() {
 }
 
 function textNow() {
-  const { source } = report.live;
-  const places = changedFromDeclaration().map((name) => ({ name, place: defaultPlace(source, name) }));
-  const lost = places.filter(({ place }) => place === null).map(({ name }) => name);
-  let text = source;
-  for (const { name, place } of places.filter((own) => own.place !== null).sort((a, b) => b.place[0] - a.place[0])) {
-    text = text.slice(0, place[0]) + declaredText(name) + text.slice(place[1]);
-  }
+  const { edits, lost } = textEdits();
+  let text = report.live.source;
+  for (const { from, to, insert } of edits.toReversed()) text = text.slice(0, from) + insert + text.slice(to);
   const line = changesLine();
   const notes = [...(line ? [line] : []), ...(lost.length > 0 ? [`not part of this text: ${lost.join(", ")}`] : [])];
   return notes.map((note) => `// ${note}\n`).join("") + text;
+}
+
+// The stretches of the text that are other dimensions now, in order; `lost` are the names of dimensions without a stretch of their own.
+function textEdits() {
+  const places = changedFromDeclaration().map((name) => ({ name, place: defaultPlace(report.live.source, name) }));
+  const edits = places.filter(({ place }) => place !== null).map(({ name, place: [from, to] }) => ({ from, to, insert: declaredText(name) }));
+  const lost = places.filter(({ place }) => place === null).map(({ name }) => name);
+  return { edits: edits.sort((a, b) => a.from - b.from), lost };
 }
 
 // A dimension in the unit of the report, as a literal.
@@ -34,10 +38,12 @@ function defaultPlace(source, name) {
   const end = placeAfter(text, new RegExp(word("struct"), "gu"), begin)?.[0] ?? text.length;
   const find = (own) => {
     const found = placeAfter(text, new RegExp(`${word("param")}\\s+${word(own)}\\s*=\\s*`, "gu"), begin);
-    return found !== null && found[0] < end ? found[0] : null;
+    return found !== null && found[0] < end ? found[0] : jointPlace(text, own, begin, end);
   };
   const whole = find(name);
   if (whole !== null) return nominalPlace(text, whole);
+  const link = /^(.*)\.length$/.exec(name)?.[1];
+  if (link !== undefined) return lengthPlace(text, link, begin, end);
   const [, stem, axis] = /^([^.]*)\.([xyz])$/.exec(name) ?? [];
   const vector = stem === undefined ? null : find(stem);
   if (vector === null || text[vector] !== "(") return null;
@@ -49,7 +55,27 @@ function defaultPlace(source, name) {
   }
   // What stands in brackets may be a part of a longer expression.
   const closing = endOf(text, place[1], ")");
-  return /^\)\s*(;|\+\s*-|\+\/-)/.test(text.slice(closing)) ? place : null;
+  return /^\)\s*([;,]|\+\s*-|\+\/-)/.test(text.slice(closing)) ? place : null;
+}
+
+// Where the drawn position of a joint begins; null for names of other things.
+function jointPlace(text, name, begin, end) {
+  for (const { index, 0: word } of text.slice(begin, end).matchAll(/(?<![\p{L}\d_])joint(?![\p{L}\d_])/gu)) {
+    for (let at = begin + index + word.length; at < end; at = endOf(text, at, ",", ";") + 1) {
+      const [before, own] = /^\s*([\p{L}_][\p{L}\d_]*)\s*=\s*/u.exec(text.slice(at, end)) ?? [];
+      if (own === name) return at + before.length;
+      if (own === undefined || text[endOf(text, at, ",", ";")] === ";") break;
+    }
+  }
+  return null;
+}
+
+// Where the length of a link is, if it is written as a number.
+function lengthPlace(text, link, begin, end) {
+  const pattern = new RegExp(`(?<![\\p{L}\\d_])link\\s+${link}\\s*:[^;]*?(?<![\\p{L}\\d_])length\\s+(?=[-\\d.]+\\s*[a-z]*\\s*([,;+]|mass|inertia|at))`, "gu");
+  const found = placeAfter(text, pattern, begin);
+  if (found === null || found[0] >= end) return null;
+  return [found[0], found[0] + /^[-\d.]+\s*(?!mass|inertia|at)[a-z]*/.exec(text.slice(found[0]))[0].trimEnd().length];
 }
 
 function placeAfter(text, pattern, from) {

@@ -32,5 +32,5 @@ fn trees_are_those_of_the_corpus() {
             count += 1;
         }
     }
-    assert_eq!(count, 15);
+    assert_eq!(count, 16);
 }

@@ -9,8 +9,8 @@ use proc_macro2::TokenStream;
 const MOST_INPUTS: usize = 5;
 
 /// The functions that a mechanism lacks for its page.
-#[derive(Clone, Copy, PartialEq, Eq)]
-pub(super) enum Missing {
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Missing {
     /// It has functions, and one with a picture among them.
     Nothing,
     /// It has functions, but none with a picture.
@@ -21,7 +21,8 @@ pub(super) enum Missing {
 
 impl Missing {
     /// The functions that this mechanism lacks.
-    pub(super) fn in_mechanism(mechanism: &Mechanism) -> Self {
+    #[must_use]
+    pub fn in_mechanism(mechanism: &Mechanism) -> Self {
         let headings = mechanism.headings();
         if headings.is_empty() {
             Self::All
@@ -35,7 +36,8 @@ impl Missing {
 
 /// Returns a mechanism of a text with the functions that are missing, as far as the compiler
 /// accepts them; `None` if it accepts none.
-pub(super) fn with_functions(
+#[must_use]
+pub fn with_functions(
     source: &Source,
     mechanism: &Mechanism,
     missing: Missing,
@@ -49,21 +51,22 @@ pub(super) fn with_functions(
         Missing::All => vec![motion, picture],
     };
     let fields = fields.into_iter().filter(|(.., fields)| !fields.is_empty());
-    let functions = fields.filter_map(|(name, result, fields)| {
+    let found = fields.filter_map(|(name, result, fields)| {
         let name = free(mechanism, name);
         let functions = selections(&inputs).into_iter().map(|inputs| {
             let inputs = inputs.join(", ");
             format!("fn {name}({inputs}) -> {result} {{ {fields} }}\n")
         });
         // A function takes exactly the inputs that its results depend on.
-        functions
-            .into_iter()
-            .find(|function| compiled(source, mechanism.name(), function).is_some())
+        functions.into_iter().find_map(|function| {
+            let with = with_further_functions(source, mechanism.name(), &function)?;
+            Some((function, with))
+        })
     });
-    let functions: String = functions.collect();
-    match functions.is_empty() {
-        true => None,
-        false => compiled(source, mechanism.name(), &functions),
+    let (functions, mut compiled): (Vec<String>, Vec<Mechanism>) = found.unzip();
+    match compiled.len() {
+        0 | 1 => compiled.pop(),
+        _ => with_further_functions(source, mechanism.name(), &functions.concat()),
     }
 }
 
@@ -89,7 +92,8 @@ fn unknowns(mechanism: &Mechanism) -> String {
 }
 
 /// Selections of inputs with the first one, which runs: the largest first.
-pub(in crate::command) fn selections<'a>(inputs: &[&'a str]) -> Vec<Vec<&'a str>> {
+#[must_use]
+pub fn selections<'a>(inputs: &[&'a str]) -> Vec<Vec<&'a str>> {
     let [first, others @ ..] = inputs else {
         return Vec::new();
     };
@@ -105,17 +109,15 @@ pub(in crate::command) fn selections<'a>(inputs: &[&'a str]) -> Vec<Vec<&'a str>
     all
 }
 
-/// The mechanism of this name with further functions, if the compiler accepts them.
-pub(in crate::command) fn compiled(
-    source: &Source,
-    name: &str,
-    functions: &str,
-) -> Option<Mechanism> {
+/// The mechanism of this name with further functions, if the compiler accepts them in any
+/// range.
+#[must_use]
+pub fn with_further_functions(source: &Source, name: &str, functions: &str) -> Option<Mechanism> {
     let further: TokenStream = format!("impl {name} {{ {functions} }}").parse().ok()?;
     let mut all = source.calls().iter().flat_map(|call| {
         let tokens = call.tokens.clone().into_iter().chain(further.clone());
         check_all(tokens.collect())
     });
     let found = all.find(|checked| checked.name.as_deref() == Some(name))?;
-    Mechanism::new(&found).filter(|mechanism| !mechanism.headings().is_empty())
+    Mechanism::new(&found.in_any_range()).filter(|mechanism| !mechanism.headings().is_empty())
 }

@@ -1,0 +1,149 @@
+//! The text as editors see it: messages with changes to take, hover, completion.
+
+use std::cell::RefCell;
+
+use linkage_editor::{
+    Completion, CompletionKind, Diagnostic, Document, Edit, Fix, NameKind, Severity,
+};
+use serde_json::{Value, json};
+
+use crate::positions::Positions;
+
+/// The file that messages name.
+pub(crate) const FILE: &str = "mechanism.mech";
+
+thread_local! {
+    /// The document of the latest request. Values of the last text without a mistake are in it.
+    static DOCUMENT: RefCell<Option<Document>> = const { RefCell::new(None) };
+}
+
+/// Calls a function with the document of a text. The results of an earlier text are kept if it is
+/// the same.
+fn with_document<R>(text: &str, ask: impl FnOnce(&Document, &Positions<'_>) -> R) -> R {
+    DOCUMENT.with_borrow_mut(|stored| {
+        let document = stored.get_or_insert_with(|| Document::new(FILE, text));
+        if document.text() != text {
+            document.set_text(text);
+        }
+        ask(document, &Positions::new(text))
+    })
+}
+
+/// Returns all messages about a text: places, severity, text, and changes that follow the advice.
+pub(crate) fn messages(text: &str) -> Vec<Value> {
+    with_document(text, |document, positions| {
+        let diagnostics = document.diagnostics().iter();
+        diagnostics
+            .map(|diagnostic| message(diagnostic, positions))
+            .collect()
+    })
+}
+
+fn message(diagnostic: &Diagnostic, positions: &Positions<'_>) -> Value {
+    let help = diagnostic.help.iter().map(|help| format!("\nhelp: {help}"));
+    let related = diagnostic.related.iter();
+    let related = related.map(|related| format!("\nnote: {}", related.message));
+    let text: String = [diagnostic.message.clone()]
+        .into_iter()
+        .chain(related)
+        .chain(help)
+        .collect();
+    let fixes = diagnostic.fixes.iter();
+    let fixes = fixes.map(|proposed| fix(proposed, positions));
+    json!({
+        "from": positions.utf16(diagnostic.range.start),
+        "to": positions.utf16(diagnostic.range.end),
+        "severity": match diagnostic.severity {
+            Severity::Error => "error",
+            Severity::Warning => "warning",
+        },
+        "text": text,
+        "fixes": fixes.collect::<Vec<_>>(),
+    })
+}
+
+fn fix(fix: &Fix, positions: &Positions<'_>) -> Value {
+    let edits = fix.edits.iter().map(|change| edit(change, positions));
+    json!({ "title": fix.title, "edits": edits.collect::<Vec<_>>() })
+}
+
+fn edit(edit: &Edit, positions: &Positions<'_>) -> Value {
+    json!({
+        "from": positions.utf16(edit.range.start),
+        "to": positions.utf16(edit.range.end),
+        "insert": edit.text,
+    })
+}
+
+/// Returns the changes that can be made to some words, as JSON; places count units of UTF-16.
+pub(crate) fn actions(text: &str, from_utf16: usize, to_utf16: usize) -> String {
+    let actions = with_document(text, |document, positions| {
+        let range = positions.byte(from_utf16)..positions.byte(to_utf16);
+        let actions = document.actions(range).into_iter();
+        let one = actions.map(|action| fix(&action.fix, positions));
+        one.collect::<Vec<_>>()
+    });
+    Value::from(actions).to_string()
+}
+
+/// Describes the word at a place, counted in units of UTF-16; `null` if nothing is known of it.
+pub(crate) fn hover(text: &str, at_utf16: usize) -> String {
+    let hover = with_document(text, |document, positions| {
+        let hover = document.hover(positions.byte(at_utf16))?;
+        Some(json!({
+            "from": positions.utf16(hover.range.start),
+            "to": positions.utf16(hover.range.end),
+            "markdown": hover.markdown,
+        }))
+    });
+    hover.unwrap_or(Value::Null).to_string()
+}
+
+/// Lists the words that can be written at a place, counted in units of UTF-16, as the editor of the
+/// front end takes them.
+pub(crate) fn completions(text: &str, at_utf16: usize) -> String {
+    with_document(text, |document, positions| {
+        let completions = document.completions(positions.byte(at_utf16));
+        let start = completions
+            .first()
+            .map(|first| positions.utf16(first.range.start));
+        let options: Vec<Value> = completions.iter().map(option).collect();
+        json!({ "from": start, "options": options }).to_string()
+    })
+}
+
+fn option(completion: &Completion) -> Value {
+    json!({
+        "label": completion.label,
+        "type": icon(completion.kind),
+        "detail": completion.detail,
+        "info": completion.documentation,
+        "apply": completion.text,
+    })
+}
+
+/// The icon of a kind in the list of the front end.
+fn icon(kind: CompletionKind) -> &'static str {
+    match kind {
+        CompletionKind::Name(NameKind::Constant) => "constant",
+        CompletionKind::Name(NameKind::Mechanism | NameKind::Part) => "class",
+        CompletionKind::Name(NameKind::Function) | CompletionKind::Function => "function",
+        CompletionKind::Name(NameKind::Field) | CompletionKind::Member => "property",
+        CompletionKind::Name(
+            NameKind::Parameter
+            | NameKind::Input
+            | NameKind::Unknown
+            | NameKind::Derived
+            | NameKind::Argument
+            | NameKind::Body
+            | NameKind::Joint
+            | NameKind::Link
+            | NameKind::Slider
+            | NameKind::Slot,
+        ) => "variable",
+        CompletionKind::Quantity => "method",
+        CompletionKind::Unit => "type",
+        CompletionKind::Law => "enum",
+        CompletionKind::Keyword => "keyword",
+    }
+}

@@ -1,0 +1,24 @@
+// The worker: it answers requests one after the other, so that the page never waits for the compiler.
+
+import { started } from "./module.js";
+
+// Descriptions of mechanisms stay in the memory of a module. One that has grown so far is replaced.
+const MOST_BYTES = 400e6;
+
+let module = null;
+let running = null;
+
+addEventListener("message", async ({ data }) => {
+  if (data.module) {
+    module = data.module;
+    return;
+  }
+  const { id, request } = data;
+  running ??= started(module);
+  const { ask, bytes } = await running;
+  const begin = performance.now();
+  const answer = ask(request);
+  const panicked = answer.startsWith('{"panic"');
+  if (panicked || bytes() > MOST_BYTES) running = null;
+  postMessage({ id, answer, took: performance.now() - begin });
+});
