@@ -60,7 +60,12 @@ pub(super) fn check_ranges<'m>(
         .filter(|&k| nominal.ranges[k].is_some())
         .collect();
     match (&declared[..], refused) {
-        ([_], Some(refused)) => return refused.report(algebra.mechanism, None, reporter),
+        ([input], Some(refused)) => {
+            let dimension = algebra.mechanism.inputs[*input].dimension;
+            let works = ranges.first_failure(*input, dimension).is_none();
+            let nominal = works.then_some(nominal);
+            return refused.report(algebra.mechanism, nominal, reporter);
+        }
         ([input], None) => {
             let dimension = algebra.mechanism.inputs[*input].dimension;
             if let Some(at) = ranges.first_failure(*input, dimension) {

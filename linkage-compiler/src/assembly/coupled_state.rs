@@ -1,6 +1,7 @@
 //! A coupled group in a known state: its unknowns, and its preparation over the ranges of inputs.
 
 use linkage_core::numeric::continuation::{End, Grid, Range, Refusal, Table, Terms, reached};
+use linkage_core::range_check::rounded_inwards;
 
 use crate::algebra::{Algebra, Nominal};
 use crate::ir::{Coupled, PreparedTable};
@@ -105,14 +106,17 @@ fn prepare_table<'m>(
         return false;
     };
     let inside = BEFORE_END * (high - low);
-    let [low, high] = [(0, low, inside), (1, high, -inside)].map(|(side, declared, inside)| {
+    let declared = [low, high];
+    let reach = [(0, low, inside), (1, high, -inside)].map(|(side, declared, inside)| {
         match part.ends()[side] {
             End::Closed | End::Range(_) => declared,
             End::TurningPoint(at) | End::Lost(at) => at + inside,
         }
     });
+    let at = assembly.nominal.inputs[input];
+    let (ends, _) = rounded_inwards(reach, at, declared, is_angle(assembly.algebra, input));
     let mut narrower = assembly.nominal.clone();
-    narrower.ranges[input] = Some((low, high));
+    narrower.ranges[input] = Some(ends.into());
     assembly.work_within(narrower, refused, FoundBox::Largest);
     assembly.machine.starts[prepared.number] = Some(PreparedTable::Table(part));
     true

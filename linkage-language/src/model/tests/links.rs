@@ -31,6 +31,43 @@ fn links_are_loops() {
     assert_eq!(text, expected, "run with UPDATE=1 if the change is wanted");
 }
 
+/// `Moving` has a rod too many, and a loop of `Knuckle` drives it.
+#[test]
+fn links_and_joints_are_counted() {
+    let mut diagnostics = Diagnostics::default();
+    let tokens = LINKS.parse().expect("the source has tokens");
+    let mut counts = Vec::new();
+    for definition in read(tokens, &mut diagnostics) {
+        let links = definition.links.as_ref().expect("it has links");
+        counts.push(format!(
+            "{}: {}, {} = {}, {} driven",
+            definition.name,
+            links.counts(),
+            links.formula(),
+            links.mobility(),
+            links.driven.len()
+        ));
+    }
+    assert_eq!(
+        counts,
+        [
+            "FourBar: 4 links with the frame and 4 pins, 3 * 3 - 2 * 4 = 1, 1 driven",
+            "Press: 4 links with the frame, 3 pins and 1 sliding block, 3 * 3 - 2 * 3 - 2 * 1 = 1, 1 driven",
+            "QuickReturn: 4 links with the frame, 3 pins and 2 sliding pins, 3 * 3 - 2 * 3 - 1 * 2 = 1, 1 driven",
+            "Lift: 4 links with the frame, 3 pins and 1 telescopic joint, 3 * 3 - 2 * 3 - 2 * 1 = 1, 1 driven",
+            "TwoPins: 6 links with the frame, 6 pins and 2 sliding pins, 3 * 5 - 2 * 6 - 1 * 2 = 1, 1 driven",
+            "Slots: 3 links with the frame, 1 pin and 3 sliding pins, 3 * 2 - 2 * 1 - 1 * 3 = 1, 1 driven",
+            "Wheels: 7 links with the frame, 7 pins, 1 gear pair and 1 belt, 3 * 6 - 2 * 7 - 1 * 1 - 1 * 1 = 2, 2 driven",
+            "Moving: 4 links with the frame and 4 pins, 3 * 3 - 2 * 4 = 1, 2 driven",
+            "Rssr: 4 links with the frame, 2 hinges and 2 ball joints, 6 * 3 - 5 * 2 - 3 * 2 - 1 for idle turns of rods = 1, 1 driven",
+            "Tripod: 5 links with the frame, 5 ball joints and 1 telescopic joint, 6 * 4 - 3 * 5 - 5 * 1 - 3 for idle turns of rods = 1, 1 driven",
+            "Arm: 3 links with the frame and 2 hinges, 6 * 2 - 5 * 2 = 2, 2 driven",
+            "Knuckle: 7 links with the frame and 10 ball joints, 6 * 6 - 3 * 10 - 5 for idle turns of rods = 1, 0 driven",
+            "Two: 4 links with the frame, 2 hinges and 2 ball joints, 6 * 3 - 5 * 2 - 3 * 2 - 1 for idle turns of rods = 1, 1 driven",
+        ]
+    );
+}
+
 #[test]
 fn mistakes_in_links() {
     const JOINTS: &str = "unit mm; input phi = 90deg; joint a = (0mm, 0mm), b = (0mm, 20mm), c = (50mm, 60mm), d = (50mm, 0mm);";
