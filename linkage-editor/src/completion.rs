@@ -337,7 +337,8 @@ fn add_names(
     for name in outline.names.iter().filter(|name| is_meant(name.kind)) {
         let fact = facts.and_then(|facts| facts.names.get(&name.name));
         let ty = fact.map_or(name.kind.word(), |fact| &fact.ty);
-        let value = document.value(mechanism, &name.name).map(shown::short);
+        let value = document.computed_value(mechanism, &name.name);
+        let value = value.map(shown::short);
         let detail = match value {
             Some(value) => format!("{ty}, {value}"),
             None => ty.to_owned(),

@@ -247,8 +247,12 @@ impl Document {
         (&self.outlines[mechanism], &declared.name, declared.kind)
     }
 
-    /// Returns the value of a name of a mechanism.
-    pub(crate) fn value(&self, mechanism: &str, name: &str) -> Option<&Value> {
-        self.values(mechanism)?.names.get(name)
+    /// Returns the value of a name of a mechanism, if values have been computed: a list of words does
+    /// not wait for them.
+    pub(crate) fn computed_value(&self, mechanism: &str, name: &str) -> Option<&Value> {
+        let runnable = self.runnable.as_ref()?;
+        let mut facts = runnable.facts.iter();
+        let index = facts.position(|facts| facts.mechanism == mechanism)?;
+        runnable.values.get()?.get(index)?.names.get(name)
     }
 }
