@@ -5,11 +5,12 @@ use std::ops::Range;
 use linkage_language::model::{Function, MotionLawWord, QuantityWord};
 use linkage_language::syntax::{ClauseWord, ItemWord, Word, is_unit};
 
+use crate::declaration::{Declaration, NameKind};
 use crate::diagnostics::{Diagnostic, Edit, Fix};
 use crate::document::Document;
 use crate::hints::solution;
 use crate::lexer::Kind;
-use crate::outline::{Declaration, NameKind, Outline};
+use crate::outline::Outline;
 use crate::shown;
 
 /// A change that an editor offers, and the message whose advice it follows.

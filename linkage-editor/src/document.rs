@@ -4,11 +4,12 @@ use std::cell::OnceCell;
 use std::ops::Range;
 
 use crate::analysis::{Analysis, analyse};
+use crate::declaration::NameKind;
 use crate::diagnostics::Diagnostic;
 use crate::facts::Facts;
 use crate::lexer::{Token, tokens};
 use crate::name_values::{Value, Values, values};
-use crate::outline::{NameKind, Outline, outlines};
+use crate::outline::{Outline, outlines};
 use crate::position::Lines;
 use crate::repair::readable;
 use crate::statements::statements;

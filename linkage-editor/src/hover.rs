@@ -6,9 +6,9 @@ use linkage_language::model::{Ends, Function, Law, MotionLawWord, QuantityWord};
 use linkage_language::syntax::{ClauseWord, ItemWord, Word, first_spelling, unit_description};
 
 use crate::context::{next_solid, path_at};
+use crate::declaration::NameKind;
 use crate::document::Document;
 use crate::lexer::Kind;
-use crate::outline::NameKind;
 use crate::shown;
 use crate::signature::{call_of_function, call_of_quantity};
 use crate::uses::{Symbol, Use, declaration};
