@@ -5,11 +5,12 @@ use std::ops::Range;
 use linkage_language::model::{Function, MotionLawWord, QuantityWord};
 use linkage_language::syntax::{ClauseWord, ItemWord, Word, is_unit};
 
+use crate::declaration::{Declaration, NameKind};
 use crate::diagnostics::{Diagnostic, Edit, Fix};
 use crate::document::Document;
 use crate::hints::solution;
 use crate::lexer::Kind;
-use crate::outline::{NameKind, Outline};
+use crate::outline::Outline;
 use crate::shown;
 
 /// A change that an editor offers, and the message whose advice it follows.
@@ -130,7 +131,9 @@ fn insertion(document: &Document, location: usize, item: &str) -> Edit {
 
 /// Takes the solution of an unknown as its estimate; and those of all unknowns.
 fn estimates(document: &Document, outline: &Outline, range: &Range<usize>) -> Vec<Fix> {
-    if !document.values_are_present() {
+    let is_here = |name: &Declaration| name.kind == NameKind::Unknown && touches(&name.item, range);
+    // Values take a compilation, so they are computed for unknowns only.
+    if !document.values_are_present() || !outline.names.iter().any(is_here) {
         return Vec::new();
     }
     let Some(values) = document.values(&outline.mechanism.name) else {

@@ -4,7 +4,8 @@ use std::ops::Range;
 
 use crate::actions::{self, Action};
 use crate::colours::{self, ColouredWord};
-use crate::completion::{self, Completion};
+use crate::completion;
+use crate::completion_list::Completion;
 use crate::diagnostics::Edit;
 use crate::document::Document;
 use crate::hints::{self, Hint};

@@ -6,9 +6,9 @@ use linkage_language::model::{Function, Law, MotionLawWord, QuantityWord};
 use linkage_language::syntax::{ClauseWord, ItemWord, Word};
 
 use crate::context::next_solid;
+use crate::declaration::NameKind;
 use crate::document::Document;
 use crate::lexer::Kind;
-use crate::outline::NameKind;
 
 /// A word with its meaning.
 #[derive(Clone, Debug, PartialEq, Eq)]

@@ -4,11 +4,12 @@ use std::cell::OnceCell;
 use std::ops::Range;
 
 use crate::analysis::{Analysis, analyse};
+use crate::declaration::NameKind;
 use crate::diagnostics::Diagnostic;
 use crate::facts::Facts;
 use crate::lexer::{Token, tokens};
 use crate::name_values::{Value, Values, values};
-use crate::outline::{NameKind, Outline, outlines};
+use crate::outline::{Outline, outlines};
 use crate::position::Lines;
 use crate::repair::readable;
 use crate::statements::statements;
@@ -247,8 +248,12 @@ impl Document {
         (&self.outlines[mechanism], &declared.name, declared.kind)
     }
 
-    /// Returns the value of a name of a mechanism.
-    pub(crate) fn value(&self, mechanism: &str, name: &str) -> Option<&Value> {
-        self.values(mechanism)?.names.get(name)
+    /// Returns the value of a name of a mechanism, if values have been computed: a list of words does
+    /// not wait for them.
+    pub(crate) fn computed_value(&self, mechanism: &str, name: &str) -> Option<&Value> {
+        let runnable = self.runnable.as_ref()?;
+        let mut facts = runnable.facts.iter();
+        let index = facts.position(|facts| facts.mechanism == mechanism)?;
+        runnable.values.get()?.get(index)?.names.get(name)
     }
 }

@@ -1,8 +1,8 @@
 //! Values next to names: those of derived quantities, and solutions that differ from estimates.
 
+use crate::declaration::NameKind;
 use crate::document::Document;
 use crate::name_values::{Value, Values};
-use crate::outline::NameKind;
 use crate::shown;
 
 /// The share of an estimate, or of a radian, by which a solution may differ without a hint.

@@ -6,9 +6,9 @@ use linkage_language::model::{Ends, Function, Law, MotionLawWord, QuantityWord};
 use linkage_language::syntax::{ClauseWord, ItemWord, Word, first_spelling, unit_description};
 
 use crate::context::{next_solid, path_at};
+use crate::declaration::NameKind;
 use crate::document::Document;
 use crate::lexer::Kind;
-use crate::outline::NameKind;
 use crate::shown;
 use crate::signature::{call_of_function, call_of_quantity};
 use crate::uses::{Symbol, Use, declaration};
@@ -97,8 +97,10 @@ fn name_described(document: &Document, found: &Use) -> String {
 /// Returns the heading, the value at the reference and the extremes over the range.
 fn value_described(document: &Document, mechanism: &str, name: &str, head: &str) -> String {
     let mut lines = head.to_owned();
-    let (Some(values), Some(value)) = (document.values(mechanism), document.value(mechanism, name))
-    else {
+    let Some(values) = document.values(mechanism) else {
+        return lines;
+    };
+    let Some(value) = values.names.get(name) else {
         return lines;
     };
     let present = match document.values_are_present() {

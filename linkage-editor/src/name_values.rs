@@ -11,8 +11,9 @@ use linkage_runtime::{Input, Table};
 use proc_macro2::extra::invalidate_current_thread_spans;
 
 use crate::analysis::offset_of_text;
+use crate::declaration::NameKind;
 use crate::facts::Facts;
-use crate::outline::{NameKind, Outline};
+use crate::outline::Outline;
 
 /// The number of positions in the range of an input at which values are computed.
 const POSITIONS: usize = 91;

@@ -2,8 +2,8 @@
 
 use std::ops::Range;
 
+use crate::declaration::{Declaration, NameKind};
 use crate::document::Document;
-use crate::outline::{Declaration, NameKind};
 
 /// A declared name, with those within it.
 #[derive(Clone, Debug, PartialEq, Eq)]

@@ -5,8 +5,9 @@ use std::ops::Range;
 use linkage_language::model::{Function, MotionLawWord, QuantityWord};
 use linkage_language::syntax::{ClauseWord, Word};
 
+use crate::declaration::{Declaration, NameKind};
 use crate::lexer::{Kind, Token};
-use crate::outline::{Declaration, NameKind, Outline};
+use crate::outline::Outline;
 
 /// A declared name: indices of the mechanism and of the name in it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]

@@ -6,35 +6,12 @@ use proc_macro2::{Ident, TokenStream};
 use quote::{quote, quote_spanned};
 
 mod origin;
+mod suggestion;
 pub mod text;
 
 pub use origin::SourceSpan;
 pub use origin::{OriginId, Origins};
-
-/// A mistake and its place.
-#[derive(Clone, Debug)]
-pub struct Message {
-    /// The words at fault.
-    pub span: SourceSpan,
-    /// The fact, in lower case, names in back-ticks. If possible, a second line `help: ...` names
-    /// the text to write.
-    pub text: String,
-    /// Changes of the source that editors offer.
-    pub suggestions: Vec<Suggestion>,
-    /// True for another place of the mistake that the message before it reports.
-    pub is_related: bool,
-}
-
-/// A change of the source that follows the advice of a message.
-#[derive(Clone, Debug)]
-pub struct Suggestion {
-    /// The change in a few words, as in a menu.
-    pub title: String,
-    /// The words that are replaced.
-    pub span: SourceSpan,
-    /// The text instead of them.
-    pub replacement: String,
-}
+pub use suggestion::{Message, Suggestion};
 
 /// The key by which messages are sorted, whenever they are found.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -153,32 +130,6 @@ impl<'a> Reporter<'a> {
     /// Returns the number of mistakes of all phases.
     pub fn errors(&self) -> usize {
         self.diagnostics.len()
-    }
-}
-
-impl Message {
-    /// A message without a suggestion.
-    pub fn new(span: SourceSpan, text: &str) -> Self {
-        Self {
-            span,
-            text: text::short_words(text),
-            suggestions: Vec::new(),
-            is_related: false,
-        }
-    }
-
-    /// Adds a change that follows the advice.
-    pub fn suggest(
-        &mut self,
-        title: impl Into<String>,
-        span: SourceSpan,
-        replacement: impl Into<String>,
-    ) {
-        self.suggestions.push(Suggestion {
-            title: title.into(),
-            span,
-            replacement: replacement.into(),
-        });
     }
 }
 

@@ -1,7 +1,5 @@
 //! The answer to each request of an editor.
 
-use std::collections::HashMap;
-
 use linkage_editor::{Document, Encoding, formatted};
 use lsp_server::{ErrorCode, ExtractError, Request, RequestId, Response};
 use lsp_types::request::{
@@ -142,7 +140,7 @@ impl At<'_> {
     }
 
     fn edit(&self, edits: Vec<TextEdit>) -> WorkspaceEdit {
-        WorkspaceEdit::new(HashMap::from([(self.uri.clone(), edits)]))
+        WorkspaceEdit::new([(self.uri.clone(), edits)].into())
     }
 }
 

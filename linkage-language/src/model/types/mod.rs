@@ -15,6 +15,7 @@ mod mechanism;
 mod motion_law;
 mod name;
 mod parts_of_frame;
+mod quantity_parameters;
 mod traversal;
 mod type_names;
 mod usage;

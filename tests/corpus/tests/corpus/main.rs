@@ -31,6 +31,7 @@ fn case(seed: u64) -> Result<Arc<Case>, String> {
 fn mechanism(case: &Case) -> Mechanism {
     let checked = Checked {
         name: Some("Generated".to_owned()),
+        model: None,
         unit: Some(case.subject.unit.clone()),
         out_of_range: None,
         messages: Vec::new(),
