@@ -28,6 +28,7 @@ fn load(kind: &str, given: Given, page: &mut Page) -> Mechanism {
         out_of_range: None,
         messages: Vec::new(),
         warnings: Vec::new(),
+        model: None,
     };
     Mechanism::new(&checked).expect("it has no mistake")
 }
