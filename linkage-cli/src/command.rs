@@ -13,10 +13,12 @@ mod c;
 mod check;
 mod choose;
 mod declaration;
+mod fmt;
 mod hold;
 mod import;
 mod js;
 mod loops;
+mod lsp;
 mod memory;
 mod new;
 mod output;
@@ -70,6 +72,10 @@ enum Command {
     Circuits(assemblies::Options),
     /// The loops that joints and links stand for, as a text of the language
     Loops(loops::Options),
+    /// Writes files with all blanks by the rules: one item on a line, comments kept
+    Fmt(fmt::Options),
+    /// A language server on standard input and output, for editors
+    Lsp(lsp::Options),
     /// A header and a source in C99 for controllers
     C(c::Options),
     /// A module of JavaScript for pages, and its types
@@ -107,6 +113,8 @@ pub fn run() -> ExitCode {
         Command::Assemblies(options) => assemblies::run(options),
         Command::Circuits(options) => assemblies::circuits(options),
         Command::Loops(options) => loops::run(options),
+        Command::Fmt(options) => fmt::run(options),
+        Command::Lsp(options) => lsp::run(options),
         Command::C(options) => c::run(options),
         Command::Js(options) => js::run(options),
         Command::Rust(options) => rust::run(options),

@@ -9,7 +9,7 @@ use crate::diagnostics::{Diagnostic, Edit, Fix};
 use crate::document::Document;
 use crate::hints::solution;
 use crate::lexer::Kind;
-use crate::outline::{NameKind, Outline};
+use crate::outline::{Declaration, NameKind, Outline};
 use crate::shown;
 
 /// A change that an editor offers, and the message whose advice it follows.
@@ -77,13 +77,13 @@ fn declarations(document: &Document, diagnostic: &Diagnostic) -> Vec<Fix> {
     if is_used || is_member || is_of_language(word) || outline.find(word).is_some() {
         return Vec::new();
     }
-    let Some(place) = item_at(document, outline, range.start) else {
+    let Some(location) = item_at(document, outline, range.start) else {
         return Vec::new();
     };
     let length = document.length_unit(outline);
     let declared = |item: String| Fix {
         title: format!("declare `{item}`"),
-        edits: vec![insertion(document, place, &format!("{item};"))],
+        edits: vec![insertion(document, location, &format!("{item};"))],
     };
     vec![
         declared(format!("unknown {word} = 0deg")),
@@ -114,13 +114,13 @@ fn item_at(document: &Document, outline: &Outline, offset: usize) -> Option<usiz
 }
 
 /// Writes an item on a line before the item that begins at a byte.
-fn insertion(document: &Document, place: usize, item: &str) -> Edit {
+fn insertion(document: &Document, location: usize, item: &str) -> Edit {
     let text = &document.text;
-    let line = text[..place].rfind('\n').map_or(0, |end| end + 1);
-    let indent = &text[line..place];
+    let line = text[..location].rfind('\n').map_or(0, |end| end + 1);
+    let indent = &text[line..location];
     let is_blank = indent.chars().all(char::is_whitespace);
     Edit {
-        range: place..place,
+        range: location..location,
         text: match is_blank {
             true => format!("{item}\n{indent}"),
             false => format!("{item} "),
@@ -130,7 +130,9 @@ fn insertion(document: &Document, place: usize, item: &str) -> Edit {
 
 /// Takes the solution of an unknown as its estimate; and those of all unknowns.
 fn estimates(document: &Document, outline: &Outline, range: &Range<usize>) -> Vec<Fix> {
-    if !document.values_are_present() {
+    let is_here = |name: &Declaration| name.kind == NameKind::Unknown && touches(&name.item, range);
+    // Values take a compilation, so they are computed for unknowns only.
+    if !document.values_are_present() || !outline.names.iter().any(is_here) {
         return Vec::new();
     }
     let Some(values) = document.values(&outline.mechanism.name) else {
@@ -141,10 +143,13 @@ fn estimates(document: &Document, outline: &Outline, range: &Range<usize>) -> Ve
         .iter()
         .filter(|name| name.kind == NameKind::Unknown);
     let computed = unknowns.filter_map(|unknown| {
-        let place = unknown.value.clone()?;
+        let location = unknown.value.clone()?;
         let found = solution(values, &unknown.name)?;
         let text = shown::short(found);
-        let edit = Edit { range: place, text };
+        let edit = Edit {
+            range: location,
+            text,
+        };
         Some((unknown, edit))
     });
     let computed: Vec<_> = computed.collect();

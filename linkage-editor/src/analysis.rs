@@ -23,6 +23,8 @@ pub(crate) struct Analysis {
 pub(crate) fn analyse(name: &str, text: &str) -> Analysis {
     let analysis = match Source::new(name, text) {
         Ok(source) => checked(&source, offset_of_text(text)),
+        // The compiler of Rust has messages about the rest of a Rust file.
+        Err(_) if name.ends_with(".rs") => Analysis::default(),
         Err(error) => unreadable(text, &error.to_string()),
     };
     // Otherwise the texts of all analyses stay in memory.
@@ -124,12 +126,12 @@ pub(crate) fn bytes(call: &MechanismCall, span: SourceSpan, offset: usize) -> Ra
 /// The message of a text that is no sequence of tokens.
 fn unreadable(text: &str, message: &str) -> Analysis {
     let offset = offset_of_text(text);
-    let place = match text[offset..].parse::<TokenStream>() {
+    let location = match text[offset..].parse::<TokenStream>() {
         Ok(_) => None,
         Err(error) => Some(error.span().byte_range().start + offset),
     };
-    let Some(start) = place else {
-        // A Rust file without a mechanism, or brackets that are too deep.
+    let Some(start) = location else {
+        // Brackets that are too deep.
         return only(Diagnostic::error(0..0, message));
     };
     let rest = text.get(start..).unwrap_or_default();

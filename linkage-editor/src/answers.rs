@@ -3,6 +3,7 @@
 use std::ops::Range;
 
 use crate::actions::{self, Action};
+use crate::colours::{self, ColouredWord};
 use crate::completion::{self, Completion};
 use crate::diagnostics::Edit;
 use crate::document::Document;
@@ -12,7 +13,6 @@ use crate::navigation;
 use crate::rename;
 use crate::signature::{self, Signature};
 use crate::symbols::{self, Symbol};
-use crate::words::{self, ColouredWord};
 
 impl Document {
     /// Describes the word at a byte: kind, unit and value of a name, its range, its cost in
@@ -87,6 +87,6 @@ impl Document {
     /// are left out.
     #[must_use]
     pub fn words(&self) -> Vec<ColouredWord> {
-        words::words(self)
+        colours::words(self)
     }
 }

@@ -53,12 +53,12 @@ pub enum CompletionKind {
 }
 
 /// The words that have been found.
-struct Found {
+struct CompletionList {
     range: Range<usize>,
     words: Vec<Completion>,
 }
 
-impl Found {
+impl CompletionList {
     fn add(&mut self, label: &str, kind: CompletionKind, detail: String, documentation: &str) {
         let text = label.to_owned();
         self.add_as(label, kind, detail, documentation, text);
@@ -96,7 +96,7 @@ pub(crate) fn completions(document: &Document, offset: usize) -> Vec<Completion>
     let Some(range) = begun(document, offset) else {
         return units_after_number(document, offset);
     };
-    let mut found = Found {
+    let mut found = CompletionList {
         range: range.clone(),
         words: Vec::new(),
     };
@@ -187,7 +187,7 @@ fn units_after_number(document: &Document, offset: usize) -> Vec<Completion> {
     let digits = written
         .trim_end_matches(|c: char| c.is_alphabetic() || c == '\u{b5}')
         .len();
-    let mut found = Found {
+    let mut found = CompletionList {
         range: number.range.start + digits..offset,
         words: Vec::new(),
     };
@@ -199,7 +199,7 @@ fn units_after_number(document: &Document, offset: usize) -> Vec<Completion> {
 }
 
 /// Adds the words after a dot.
-fn add_members(document: &Document, found: &mut Found, dot: usize) {
+fn add_members(document: &Document, found: &mut CompletionList, dot: usize) {
     let (Some(path), Some(outline)) = (path_before(document, dot), document.outline_at(dot)) else {
         return;
     };
@@ -232,7 +232,12 @@ fn add_members(document: &Document, found: &mut Found, dot: usize) {
 }
 
 /// Adds the words after a dot that the text alone gives: names of a part, quantities of a link.
-fn add_written_members(document: &Document, found: &mut Found, outline: &Outline, path: &str) {
+fn add_written_members(
+    document: &Document,
+    found: &mut CompletionList,
+    outline: &Outline,
+    path: &str,
+) {
     let Some(declared) = outline.find(path) else {
         return;
     };
@@ -256,7 +261,13 @@ fn add_written_members(document: &Document, found: &mut Found, outline: &Outline
 }
 
 /// Adds the words within an item.
-fn add_inside(document: &Document, found: &mut Found, outline: &Outline, word: &str, start: usize) {
+fn add_inside(
+    document: &Document,
+    found: &mut CompletionList,
+    outline: &Outline,
+    word: &str,
+    start: usize,
+) {
     let before = document.text[..start].trim_end();
     match ItemWord::from_word(word) {
         Some(ItemWord::Declaration(DeclarationWord::Unit)) => {
@@ -317,7 +328,7 @@ fn add_inside(document: &Document, found: &mut Found, outline: &Outline, word: &
 /// Adds the names of a mechanism.
 fn add_names(
     document: &Document,
-    found: &mut Found,
+    found: &mut CompletionList,
     outline: &Outline,
     is_meant: fn(NameKind) -> bool,
 ) {
@@ -326,7 +337,8 @@ fn add_names(
     for name in outline.names.iter().filter(|name| is_meant(name.kind)) {
         let fact = facts.and_then(|facts| facts.names.get(&name.name));
         let ty = fact.map_or(name.kind.word(), |fact| &fact.ty);
-        let value = document.value(mechanism, &name.name).map(shown::short);
+        let value = document.computed_value(mechanism, &name.name);
+        let value = value.map(shown::short);
         let detail = match value {
             Some(value) => format!("{ty}, {value}"),
             None => ty.to_owned(),
@@ -337,7 +349,7 @@ fn add_names(
 }
 
 /// Adds the functions of expressions, and in a course its laws.
-fn add_functions(document: &Document, found: &mut Found, offset: usize) {
+fn add_functions(document: &Document, found: &mut CompletionList, offset: usize) {
     for word in Function::all() {
         let text = format!("{}(", word.word());
         let call = call_of_function(word);

@@ -34,7 +34,7 @@ pub(crate) struct Path {
 
 /// A call around a place.
 #[derive(Clone, Debug)]
-pub(crate) struct Call {
+pub(crate) struct EnclosingCall {
     pub(crate) word: String,
     /// The number of commas between the parenthesis and the place.
     pub(crate) argument: usize,
@@ -81,7 +81,7 @@ pub(crate) fn path_before(document: &Document, dot: usize) -> Option<String> {
 }
 
 /// Returns the innermost call around a byte.
-pub(crate) fn call_at(document: &Document, offset: usize) -> Option<Call> {
+pub(crate) fn call_at(document: &Document, offset: usize) -> Option<EnclosingCall> {
     let end = document
         .tokens
         .partition_point(|token| token.range.end <= offset);
@@ -98,7 +98,7 @@ pub(crate) fn call_at(document: &Document, offset: usize) -> Option<Call> {
                 match word {
                     Some(word) => {
                         let word = word.text(&document.text).to_owned();
-                        return Some(Call { word, argument });
+                        return Some(EnclosingCall { word, argument });
                     }
                     // A vector: the call around it is meant.
                     None => argument = 0,

@@ -7,12 +7,12 @@ use crate::analysis::{Analysis, analyse};
 use crate::diagnostics::Diagnostic;
 use crate::facts::Facts;
 use crate::lexer::{Token, tokens};
+use crate::name_values::{Value, Values, values};
 use crate::outline::{NameKind, Outline, outlines};
 use crate::position::Lines;
 use crate::repair::readable;
 use crate::statements::statements;
 use crate::uses::{Symbol, Use, declaration, uses};
-use crate::values::{Value, Values, values};
 
 /// A text and all that is known about it.
 ///
@@ -142,6 +142,12 @@ impl Document {
         self.analysis.runs
     }
 
+    /// Returns true for a text of the language alone, which can be formatted.
+    #[must_use]
+    pub fn is_text(&self) -> bool {
+        !self.is_rust()
+    }
+
     /// Returns true for a Rust file.
     pub(crate) fn is_rust(&self) -> bool {
         self.name.ends_with(".rs")
@@ -226,7 +232,7 @@ impl Document {
             ..
         } = self.runnable.as_ref()?;
         let facts = facts.iter().find(|facts| facts.mechanism == mechanism)?;
-        crate::values::cost(text, outlines, facts, name)
+        crate::name_values::cost(text, outlines, facts, name)
     }
 
     /// Returns the mechanism of a symbol, its name and its kind.
@@ -241,8 +247,12 @@ impl Document {
         (&self.outlines[mechanism], &declared.name, declared.kind)
     }
 
-    /// Returns the value of a name of a mechanism.
-    pub(crate) fn value(&self, mechanism: &str, name: &str) -> Option<&Value> {
-        self.values(mechanism)?.names.get(name)
+    /// Returns the value of a name of a mechanism, if values have been computed: a list of words does
+    /// not wait for them.
+    pub(crate) fn computed_value(&self, mechanism: &str, name: &str) -> Option<&Value> {
+        let runnable = self.runnable.as_ref()?;
+        let mut facts = runnable.facts.iter();
+        let index = facts.position(|facts| facts.mechanism == mechanism)?;
+        runnable.values.get()?.get(index)?.names.get(name)
     }
 }

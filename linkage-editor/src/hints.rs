@@ -1,9 +1,9 @@
 //! Values next to names: those of derived quantities, and solutions that differ from estimates.
 
 use crate::document::Document;
+use crate::name_values::{Value, Values};
 use crate::outline::NameKind;
 use crate::shown;
-use crate::values::{Value, Values};
 
 /// The share of an estimate, or of a radian, by which a solution may differ without a hint.
 const ALIKE: f64 = 1e-3;

@@ -97,8 +97,10 @@ fn name_described(document: &Document, found: &Use) -> String {
 /// Returns the heading, the value at the reference and the extremes over the range.
 fn value_described(document: &Document, mechanism: &str, name: &str, head: &str) -> String {
     let mut lines = head.to_owned();
-    let (Some(values), Some(value)) = (document.values(mechanism), document.value(mechanism, name))
-    else {
+    let Some(values) = document.values(mechanism) else {
+        return lines;
+    };
+    let Some(value) = values.names.get(name) else {
         return lines;
     };
     let present = match document.values_are_present() {

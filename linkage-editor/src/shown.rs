@@ -2,7 +2,7 @@
 
 use linkage_core::range_check::{position_as_written, significant};
 
-use crate::values::Value;
+use crate::name_values::Value;
 
 /// Returns a number with its unit, angles in degrees: `30deg`, `12.5mm`, `0.3N*mm`.
 pub(crate) fn number(x: f64, unit: &str) -> String {

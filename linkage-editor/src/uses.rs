@@ -42,7 +42,7 @@ pub(crate) fn declaration(outlines: &[Outline], symbol: Symbol) -> &Declaration 
 /// Returns all uses of names in a text, in order, the declarations among them.
 pub(crate) fn uses(text: &str, tokens: &[Token], outlines: &[Outline]) -> Vec<Use> {
     let solid: Vec<&Token> = tokens.iter().filter(|token| !token.is_trivia()).collect();
-    let search = Search {
+    let search = UseSearch {
         text,
         solid: &solid,
         outlines,
@@ -64,14 +64,14 @@ pub(crate) fn uses(text: &str, tokens: &[Token], outlines: &[Outline]) -> Vec<Us
     found
 }
 
-struct Search<'t> {
+struct UseSearch<'t> {
     text: &'t str,
     /// The tokens without blanks and comments.
     solid: &'t [&'t Token],
     outlines: &'t [Outline],
 }
 
-impl Search<'_> {
+impl UseSearch<'_> {
     fn text(&self, index: usize) -> &str {
         self.solid
             .get(index)
@@ -118,8 +118,8 @@ impl Search<'_> {
         if outline.mechanism.range == token.range {
             return Some(self.found(index, Symbol::Mechanism(mechanism)));
         }
-        if let Some(own) = self.declared(mechanism, &token.range) {
-            return Some(self.found(index, own));
+        if let Some(declared) = self.declared(mechanism, &token.range) {
+            return Some(self.found(index, declared));
         }
         let before = index.checked_sub(1).map_or("", |before| self.text(before));
         if before == "." {

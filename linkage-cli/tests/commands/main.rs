@@ -7,6 +7,7 @@ mod c;
 mod drawings;
 mod drawn;
 mod files;
+mod fmt;
 mod hold;
 mod import;
 mod js;

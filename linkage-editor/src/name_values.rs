@@ -10,6 +10,7 @@ use linkage_engine::{Assembly, Mechanism, Source};
 use linkage_runtime::{Input, Table};
 use proc_macro2::extra::invalidate_current_thread_spans;
 
+use crate::analysis::offset_of_text;
 use crate::facts::Facts;
 use crate::outline::{NameKind, Outline};
 
@@ -185,9 +186,13 @@ impl Probe {
             return Some(Outcome::Compiled(Box::new(mechanism)));
         }
         let faults = found.messages.iter();
-        let faults = faults.map(|message| message.span.first.byte_range().start);
-        let refused =
-            faults.filter_map(|start| self.places.iter().position(|place| place.contains(&start)));
+        let offset = offset_of_text(&self.text);
+        let faults = faults.map(|message| message.span.first.byte_range().start + offset);
+        let refused = faults.filter_map(|start| {
+            self.places
+                .iter()
+                .position(|location| location.contains(&start))
+        });
         Some(Outcome::Refused(refused.collect()))
     }
 }

@@ -61,8 +61,8 @@ pub(crate) fn words(document: &Document) -> Vec<ColouredWord> {
                     .next_if(|found| found.range.start < token.range.start)
                     .is_some()
                 {}
-                let own = uses.peek().filter(|found| found.range == token.range);
-                let colour = match own {
+                let declared = uses.peek().filter(|found| found.range == token.range);
+                let colour = match declared {
                     Some(found) => Some(Colour::Name(document.named(found.symbol).2)),
                     None => colour(text, next_solid(document, index) == "("),
                 };

@@ -1,0 +1,114 @@
+//! Texts that are broken at every byte, as while they are being written.
+
+use std::time::{Duration, Instant};
+
+use serde_json::json;
+
+use crate::client::{Client, URI};
+use crate::template;
+
+/// Templates of all kinds: loops, links, courses, forces, several inputs.
+const TEXTS: [&str; 10] = [
+    "slider",
+    "joints",
+    "cam",
+    "boom",
+    "scissors",
+    "geneva",
+    "leg",
+    "suspension",
+    "steering",
+    "toggle-press",
+];
+
+/// Removes a character, asks everything that an editor asks after a key, and writes it again. Returns
+/// the times of the answers.
+fn broken_at(client: &mut Client, text: &str, byte: usize) -> Vec<Duration> {
+    let line = text[..byte].matches('\n').count();
+    let start = text[..byte].rfind('\n').map_or(0, |start| start + 1);
+    let [from, removed] = [
+        byte - start,
+        text[byte..].chars().next().map_or(0, char::len_utf8),
+    ];
+    let end = match &text[byte..byte + removed] {
+        "\n" => [line + 1, 0],
+        _ => [line, from + removed],
+    };
+    let mut times = Vec::new();
+    let mut timed = |client: &mut Client, work: &mut dyn FnMut(&mut Client)| {
+        let begin = Instant::now();
+        work(client);
+        times.push(begin.elapsed());
+    };
+    timed(client, &mut |client| {
+        client.change([[line, from], end], "");
+        client.messages();
+    });
+    for method in ["hover", "completion", "signatureHelp", "definition"] {
+        timed(client, &mut |client| {
+            client.ask_at(&format!("textDocument/{method}"), line, from);
+        });
+    }
+    timed(client, &mut |client| {
+        client.ask_of_text("textDocument/semanticTokens/full");
+    });
+    let place = json!({ "line": line, "character": from });
+    timed(client, &mut |client| {
+        let range = json!({ "start": place, "end": place });
+        client.ask(
+            "textDocument/codeAction",
+            json!({ "textDocument": { "uri": URI }, "range": range, "context": { "diagnostics": [] } }),
+        );
+    });
+    timed(client, &mut |client| {
+        let range = json!({ "start": { "line": 0, "character": 0 }, "end": { "line": 999, "character": 0 } });
+        client.ask(
+            "textDocument/inlayHint",
+            json!({ "textDocument": { "uri": URI }, "range": range }),
+        );
+    });
+    client.change([[line, from], [line, from]], &text[byte..byte + removed]);
+    client.messages();
+    times
+}
+
+/// Breaks texts at every `step`th character. Returns all times.
+fn broken(texts: &[&str], step: usize) -> Vec<Duration> {
+    let mut times = Vec::new();
+    for (number, name) in texts.iter().enumerate() {
+        let text = template(name);
+        let (mut client, _) = Client::start(&["utf-8"]);
+        assert_eq!(client.open("linkage", &text), json!([]), "{name}");
+        let characters = text.char_indices().skip(number % step).step_by(step);
+        for (byte, _) in characters {
+            times.extend(broken_at(&mut client, &text, byte));
+        }
+        // The text is whole again.
+        client.change([[0, 0], [0, 0]], " ");
+        assert_eq!(client.messages(), json!([]), "{name}");
+        client.stop();
+    }
+    times.sort_unstable();
+    times
+}
+
+#[test]
+fn the_server_answers_while_texts_are_broken() {
+    let times = broken(&TEXTS, 797);
+    assert!(times.len() > 150, "{} answers", times.len());
+}
+
+/// `cargo test --release -p linkage-cli --test lsp -- --ignored --nocapture` takes minutes.
+#[test]
+#[ignore = "every byte of ten mechanisms, with optimisation"]
+fn answers_come_within_50_milliseconds() {
+    let times = broken(&TEXTS, 1);
+    let [median, last] = [times[times.len() / 2], times[times.len() - 1]];
+    let late = times.iter().filter(|time| time.as_millis() > 50).count();
+    println!(
+        "{} answers, median {median:?}, {late} over 50 ms, last {last:?}",
+        times.len()
+    );
+    // Other programs of the machine may hold a few answers up.
+    assert!(late * 1000 <= times.len(), "{late} of {}", times.len());
+}
