@@ -24,7 +24,6 @@ fn load(kind: &str, given: Given, page: &mut Page) -> Mechanism {
     page.wait(&format!("mechanism.name === '{name}'"));
     let checked = Checked {
         name: Some(name),
-        model: None,
         unit: Some(unit),
         out_of_range: None,
         messages: Vec::new(),
