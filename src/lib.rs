@@ -67,9 +67,13 @@ pub use linkage_runtime::{Handle, Handles, Scene};
 #[macro_export]
 macro_rules! mechanism {
     ($($tokens:tt)*) => {
-        // Before the mechanism: rust-analyzer completes in the first expansion of a word.
-        #[cfg(rust_analyzer)]
-        $crate::__private::names! { [$crate] $($tokens)* }
+        // Before the mechanism: rust-analyzer completes in the first expansion of a word. In the block of an item
+        // that allows the name, which rustc does not know.
+        #[allow(unexpected_cfgs)]
+        const _: () = {
+            #[cfg(rust_analyzer)]
+            $crate::__private::names! { [$crate] $($tokens)* }
+        };
         $crate::__private::mechanism! { [$crate] $($tokens)* }
     };
 }
