@@ -2,7 +2,7 @@
 
 use std::collections::VecDeque;
 
-use crossbeam_channel::Receiver;
+use crossbeam_channel::{Receiver, TryRecvError};
 use lsp_server::{Message, Request, RequestId};
 use lsp_types::notification::{Cancel, DidChangeTextDocument, Notification as _};
 use serde_json::Value;
@@ -79,8 +79,15 @@ impl<'r> Queue<'r> {
     }
 
     fn take_arrived(&mut self) {
-        while let Ok(message) = self.receiver.try_recv() {
-            self.add(message);
+        loop {
+            match self.receiver.try_recv() {
+                Ok(message) => self.add(message),
+                Err(TryRecvError::Empty) => return,
+                Err(TryRecvError::Disconnected) => {
+                    self.is_closed = true;
+                    return;
+                }
+            }
         }
     }
 
