@@ -60,6 +60,39 @@ fn a_drawn_joint_is_dragged() {
 }
 
 #[test]
+fn the_joint_of_a_driven_link_takes_the_reference_along() {
+    let Some(mut shown) = Shown::open() else {
+        return;
+    };
+    // A text that was typed: its steps of undo are before those of the drag.
+    let example = shown.text();
+    shown.after(|page| {
+        page.value("playground.editor.replace('// typed\\n' + playground.editor.text())")
+    });
+    let text = shown.text();
+    shown.page.click("#shape");
+    let from = shown.point("b");
+    drag(&mut shown.page, from, (-8.0, 0.0));
+    shown.page.wait(&format!(
+        "!playground.editor.text().includes('b = ({})')",
+        written(&text, "b")
+    ));
+    shown.after(|page| page.release((from.0 - 8.0, from.1)));
+    let moved = shown.text();
+    let reference = |text: &str| {
+        let (_, after) = text.split_once("input ").expect("an input");
+        after.split(" in ").next().expect("a reference").to_owned()
+    };
+    assert_ne!(reference(&moved), reference(&text));
+    assert_eq!(shown.messages(), "");
+    shown.undo();
+    assert_eq!(shown.text(), text);
+    shown.undo();
+    assert_eq!(shown.text(), example);
+    shown.page.assert_quiet();
+}
+
+#[test]
 fn arrow_keys_move_a_joint() {
     let Some(mut shown) = Shown::open() else {
         return;

@@ -5,6 +5,8 @@ import { difference } from "./difference.js";
 export class TextDrag {
   #editor;
   #base = null;
+  // The state of the editor before the drag: its steps of undo know nothing of what the drag has shown.
+  #before = null;
   #edits = [];
   #shown = null;
 
@@ -21,6 +23,7 @@ export class TextDrag {
     const { text, preview } = this.#editor;
     if (this.#base === null && text() !== base) return false;
     if (this.#base !== null && text() !== this.#shown) return false;
+    if (this.#base === null) this.#before = this.#editor.view.state;
     this.#base ??= base;
     this.#edits = edits;
     const next = applied(this.#base, edits);
@@ -33,15 +36,15 @@ export class TextDrag {
   // Ends the drag.
   end() {
     if (this.#base === null) return;
-    const { text, preview, commit } = this.#editor;
+    const { view, text, commit } = this.#editor;
     const isOwn = text() === this.#shown;
     const changes = this.#edits.filter(({ from, to, insert }) => this.#base.slice(from, to) !== insert);
     if (isOwn) {
-      const back = difference(text(), this.#base);
-      if (back !== null) preview(back);
+      view.setState(this.#before);
       if (changes.length > 0) commit(changes);
     }
     this.#base = null;
+    this.#before = null;
     this.#edits = [];
     this.#shown = null;
   }

@@ -1,6 +1,6 @@
 // Joints that are dragged in the drawing, at the reference position: the text gets their new coordinates.
 
-import { drawnJoints, moved } from "./joints.js";
+import { drawnJoints, moved, references } from "./joints.js";
 
 export class Shaping {
   #view;
@@ -76,7 +76,7 @@ export class Shaping {
 
   #put({ joint, source, unit, pixel }, way) {
     const edits = moved(joint, way, unit, pixel);
-    if (edits !== null) this.#follow(source, edits);
+    if (edits !== null) this.#follow(source, [...edits, ...references(source, edits, unit)]);
   }
 
   #release(event) {
