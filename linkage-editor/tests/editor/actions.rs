@@ -129,3 +129,13 @@ fn a_picture_is_added_once() {
     changed(&mut crank, &fix);
     assert!(crank.text().contains("impl Crank {"), "{}", crank.text());
 }
+
+#[test]
+fn the_direction_of_a_driven_link_that_is_drawn() {
+    let text = mended(
+        edited("joints", "input phi = 60deg", "input phi = 75deg"),
+        "link crank",
+        "write `",
+    );
+    assert!(text.contains("input phi = 59.999"), "{text}");
+}

@@ -376,7 +376,8 @@ fn check_angle(sheet: &Sheet, link: usize, at: &Expr, diagnostics: &mut Diagnost
         linkage, drawing, ..
     } = *sheet;
     let item = &linkage.links[link];
-    let reference = drawing.angle(&drawing.at_reference(at));
+    let written = drawing.at_reference(at);
+    let reference = drawing.angle(&written);
     let vector = drawing.vector(item.joints[0], item.joints[1]);
     let drawn = vector.and_then(|vector| drawing.coordinates(&vector));
     let (Some(reference), Some([x, y])) = (reference, drawn) else {
@@ -406,7 +407,16 @@ fn check_angle(sheet: &Sheet, link: usize, at: &Expr, diagnostics: &mut Diagnost
             }
             _ => "change the reference of the input, or draw the link there".to_owned(),
         };
-        diagnostics.error_with_help((&item.name).into(), fact, help);
+        let message = diagnostics.error_with_help((&item.name).into(), fact, help);
+        let is_number = matches!(written.kind, ExprKind::Number { .. });
+        if matches!(at.kind, ExprKind::Name(_)) && is_number {
+            let angle = format!("{drawn}deg");
+            message.suggest(
+                format!("write `{angle}` as the reference"),
+                written.span,
+                angle,
+            );
+        }
     }
 }
 
