@@ -6,6 +6,7 @@ use crate::diagnostics::Edit;
 use crate::document::Document;
 use crate::lexer::{Kind, tokens};
 use crate::uses::Symbol;
+use linkage_language::syntax::is_keyword;
 
 /// Returns the bytes of the name at a byte that can be renamed.
 pub(crate) fn renamable(document: &Document, offset: usize) -> Option<Range<usize>> {
@@ -21,7 +22,7 @@ pub(crate) fn renamable(document: &Document, offset: usize) -> Option<Range<usiz
 pub(crate) fn renamed(document: &Document, offset: usize, name: &str) -> Result<Vec<Edit>, String> {
     let found = document.use_at(offset).ok_or("there is no name here")?;
     let is_name = matches!(&tokens(name)[..], [only] if only.kind == Kind::Word);
-    if !is_name || name.starts_with("__") {
+    if !is_name || name.starts_with("__") || is_keyword(name) {
         return Err(format!("`{name}` is no name"));
     }
     let is_taken = match found.symbol {

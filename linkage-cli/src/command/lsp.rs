@@ -9,7 +9,6 @@ mod documents;
 mod queue;
 
 use lsp_server::{Connection, ErrorCode, Message, Request, Response};
-use lsp_types::InitializeParams;
 use lsp_types::notification::{Notification as _, PublishDiagnostics};
 
 use crate::failure::Failure;
@@ -45,8 +44,6 @@ fn serve(connection: &Connection) -> Result<(), Failure> {
     let (id, params) = connection
         .initialize_start()
         .map_err(|error| broken(&error))?;
-    let params: InitializeParams =
-        serde_json::from_value(params).map_err(|error| broken(&error))?;
     let encoding = encoding(&params);
     let answer = capabilities(encoding);
     connection

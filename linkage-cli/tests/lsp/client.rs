@@ -36,7 +36,11 @@ impl Client {
             next: 0,
             version: 0,
         };
-        let capabilities = json!({ "general": { "positionEncodings": encodings } });
+        let capabilities = json!({
+            "general": { "positionEncodings": encodings },
+            // Not as the protocol has it: the server reads only what it needs.
+            "notebookDocument": {},
+        });
         let answer = client.ask("initialize", json!({ "capabilities": capabilities }));
         client.tell("initialized", json!({}));
         (client, answer)

@@ -77,6 +77,7 @@ fn names_that_are_taken_are_refused() {
         "there is another `rod`"
     );
     assert!(slider.renamed(pin, "2a").is_err());
+    assert!(slider.renamed(pin, "loop").is_err());
     assert!(slider.renamed(after(&slider, "= polar"), "q").is_err());
 }
 

@@ -150,6 +150,7 @@ const KEYWORDS: [&str; 53] = [
     "typeof", "unsafe", "unsized", "use", "virtual", "where", "while", "yield",
 ];
 
-pub(super) fn is_keyword(word: &str) -> bool {
+/// Returns true for a keyword of Rust, which may name nothing.
+pub fn is_keyword(word: &str) -> bool {
     KEYWORDS.contains(&word)
 }

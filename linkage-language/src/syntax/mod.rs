@@ -39,7 +39,9 @@ pub use ast::*;
 pub use dump::dump;
 pub use expression_tree::*;
 pub use item_name::ItemName;
-pub use keyword::{ClauseWord, DeclarationWord, ItemWord, JointKind, LinkedWord, LoadWord};
+pub use keyword::{
+    ClauseWord, DeclarationWord, ItemWord, JointKind, LinkedWord, LoadWord, is_keyword,
+};
 pub use link_inventory::*;
 pub use linked_tree::*;
 pub use mechanics_tree::*;

@@ -3,19 +3,21 @@
 use linkage_editor::Encoding;
 use lsp_types::{
     CodeActionKind, CodeActionOptions, CodeActionProviderCapability, CompletionOptions,
-    HoverProviderCapability, InitializeParams, OneOf, PositionEncodingKind, RenameOptions,
-    SemanticTokensFullOptions, SemanticTokensOptions, ServerCapabilities, SignatureHelpOptions,
-    TextDocumentSyncCapability, TextDocumentSyncKind, TextDocumentSyncOptions,
+    HoverProviderCapability, OneOf, PositionEncodingKind, RenameOptions, SemanticTokensFullOptions,
+    SemanticTokensOptions, ServerCapabilities, SignatureHelpOptions, TextDocumentSyncCapability,
+    TextDocumentSyncKind, TextDocumentSyncOptions,
 };
 use serde_json::{Value, json};
 
 use super::convert;
 
 /// Returns the unit of columns: bytes if the editor knows them, else that of UTF-16.
-pub(super) fn encoding(params: &InitializeParams) -> Encoding {
-    let general = params.capabilities.general.as_ref();
-    let known = general.and_then(|general| general.position_encodings.as_ref());
-    match known.is_some_and(|known| known.contains(&PositionEncodingKind::UTF8)) {
+///
+/// Only this is read of what the editor offers: any other part of it may be of a later protocol.
+pub(super) fn encoding(params: &Value) -> Encoding {
+    let known = params.pointer("/capabilities/general/positionEncodings");
+    let known = known.and_then(Value::as_array);
+    match known.is_some_and(|known| known.contains(&json!(PositionEncodingKind::UTF8))) {
         true => Encoding::Utf8,
         false => Encoding::Utf16,
     }
