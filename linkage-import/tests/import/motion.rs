@@ -211,6 +211,12 @@ fn drawings_of_addresses() {
 }
 
 #[test]
+fn drawings_of_payloads() {
+    moves("b_");
+    moves("c_");
+}
+
+#[test]
 fn drawings_of_expressions() {
     moves("e");
 }
