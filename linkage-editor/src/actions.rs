@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-use linkage_language::model::{Function, MotionLawWord, QuantityWord};
+use linkage_language::model::CalledWord;
 use linkage_language::syntax::{ClauseWord, ItemWord, Word, is_unit};
 
 use crate::declaration::{Declaration, NameKind};
@@ -95,9 +95,7 @@ fn declarations(document: &Document, diagnostic: &Diagnostic) -> Vec<Fix> {
 
 /// Returns true for a word that has a meaning without a declaration.
 fn is_of_language(word: &str) -> bool {
-    Function::from_word(word).is_some()
-        || MotionLawWord::from_word(word).is_some()
-        || QuantityWord::from_word(word).is_some()
+    CalledWord::from_word(word).is_some()
         || ItemWord::from_word(word).is_some()
         || ClauseWord::from_word(word).is_some()
         || is_unit(word)

@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-use linkage_language::model::{Function, Law, MotionLawWord, QuantityWord};
+use linkage_language::model::{CalledWord, Law};
 use linkage_language::syntax::{ClauseWord, ItemWord, Word};
 
 use crate::context::next_solid;
@@ -78,10 +78,7 @@ pub(crate) fn words(document: &Document) -> Vec<ColouredWord> {
 
 /// Returns the meaning of a word that is no declared name.
 fn colour(word: &str, is_called: bool) -> Option<Colour> {
-    let is_function = Function::from_word(word).is_some()
-        || MotionLawWord::from_word(word).is_some()
-        || QuantityWord::from_word(word).is_some();
-    if is_called && is_function {
+    if is_called && CalledWord::from_word(word).is_some() {
         return Some(Colour::Function);
     }
     let is_keyword = matches!(

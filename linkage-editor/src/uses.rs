@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-use linkage_language::model::{Function, MotionLawWord, QuantityWord};
+use linkage_language::model::CalledWord;
 use linkage_language::syntax::{ClauseWord, Word};
 
 use crate::declaration::{Declaration, NameKind};
@@ -230,11 +230,7 @@ impl UseSearch<'_> {
 
     /// True for the word of a function before its parentheses.
     fn is_called(&self, index: usize) -> bool {
-        let word = self.text(index);
-        self.text(index + 1) == "("
-            && (Function::from_word(word).is_some()
-                || MotionLawWord::from_word(word).is_some()
-                || QuantityWord::from_word(word).is_some())
+        self.text(index + 1) == "(" && CalledWord::from_word(self.text(index)).is_some()
     }
 
     /// True for the word of a clause: after a value, where no name can be.

@@ -79,7 +79,7 @@ fn access(used: &Use, index: usize, all: &[Names]) -> TokenStream {
         Use::Call(_) | Use::Name { declares: true, .. } => TokenStream::new(),
         Use::Name { path, .. } => {
             let (name, members) = path.split_first().expect("a name");
-            match all[index].find(None, name) {
+            match all[index].find(name) {
                 Some(declared) => access_of(declared, name, members, index, all),
                 // A word, or a name that is being written.
                 None if uses::is_word(&name.to_string()) => TokenStream::new(),
@@ -118,7 +118,7 @@ fn access_of(
             while let (Some(part), Some(member)) = (mechanism, members.next()) {
                 path.extend(quote!(.#member));
                 let index = all.iter().position(|names| names.mechanism == *part);
-                let declared = index.and_then(|index| all[index].find(None, member));
+                let declared = index.and_then(|index| all[index].find(member));
                 mechanism = match declared.map(|declared| &declared.kind) {
                     Some(Kind::Part(mechanism)) => Some(mechanism),
                     Some(Kind::Parameter) => {

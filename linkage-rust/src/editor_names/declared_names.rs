@@ -23,15 +23,10 @@ impl Names {
         }
     }
 
-    /// Returns the declaration of a name, or of a quantity of a link.
-    pub(super) fn find(&self, link: Option<&str>, name: &Ident) -> Option<&Declared> {
-        self.declared.iter().find(|declared| {
-            let is_of_link = match (&declared.link, link) {
-                (Some(declared), Some(link)) => declared == link,
-                (declared, link) => declared.is_none() && link.is_none(),
-            };
-            is_of_link && declared.name == *name
-        })
+    /// Returns the declaration of a name, which is no quantity of a link.
+    pub(super) fn find(&self, name: &Ident) -> Option<&Declared> {
+        let mut declared = self.declared.iter();
+        declared.find(|declared| declared.link.is_none() && declared.name == *name)
     }
 
     /// The types whose fields are the names: of the mechanism, and of each link.

@@ -3,7 +3,7 @@
 
 use std::collections::BTreeSet;
 
-use linkage_language::model::{Function, Law, MotionLawWord, QuantityWord, Repeating, SplineWord};
+use linkage_language::model::{CalledWord, Law, Repeating, SplineWord};
 use linkage_language::syntax::{ClauseWord, ItemWord, Word};
 use proc_macro2::{Ident, Span, TokenStream};
 use quote::{format_ident, quote};
@@ -43,7 +43,7 @@ pub(super) fn words(holder: &Ident, words: &BTreeSet<&str>) -> TokenStream {
 
 /// Returns true for a function of expressions or a quantity.
 pub(super) fn is_function(word: &str) -> bool {
-    functions().any(|(function, ..)| function == word)
+    CalledWord::from_word(word).is_some()
 }
 
 /// The functions as methods of the names of a mechanism: where a name can be written, they can.
@@ -67,10 +67,13 @@ pub(super) fn methods(holder: &Ident) -> TokenStream {
 
 /// Each word with its arguments and its meaning.
 fn functions() -> impl Iterator<Item = (&'static str, &'static [&'static str], &'static str)> {
-    let functions =
-        Function::all().map(|word| (word.word(), word.parameters(), word.description()));
-    let laws = MotionLawWord::all().map(|word| (word.word(), &[][..], word.description()));
-    let quantities =
-        QuantityWord::all().map(|word| (word.word(), word.parameters(), word.description()));
-    functions.chain(laws).chain(quantities)
+    CalledWord::all().map(|called| {
+        let arguments = match called {
+            CalledWord::Function(function) => function.parameters(),
+            CalledWord::Quantity(quantity) => quantity.parameters(),
+            // Their arguments are knots and words.
+            CalledWord::Law(_) => &[],
+        };
+        (called.word(), arguments, called.description())
+    })
 }

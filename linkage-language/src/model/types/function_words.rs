@@ -77,6 +77,15 @@ vocabulary! {
 }
 
 vocabulary! {
+    /// All words in front of parentheses.
+    pub enum CalledWord {
+        Function(Function),
+        Law(MotionLawWord),
+        Quantity(QuantityWord),
+    }
+}
+
+vocabulary! {
     /// Quantities of the functions of the `impl` block, besides expressions.
     pub enum QuantityWord {
         Motion(MotionWord),

@@ -28,7 +28,9 @@ pub use components::COMPONENTS;
 pub use dimension::Dimension;
 pub use expression::{BinaryOp, Expr, ExprKind, Knot, MechanicalQuantity, MotionLaw};
 pub(in crate::model) use function_words::is_function;
-pub use function_words::{Function, MechanicsWord, MotionLawWord, MotionWord, QuantityWord};
+pub use function_words::{
+    CalledWord, Function, MechanicsWord, MotionLawWord, MotionWord, QuantityWord,
+};
 pub use joint::Rotation;
 pub use length_unit::LengthUnit;
 pub use mechanics::{Between, Body, Element, ElementKind, Inertia, Joint, Load};
