@@ -13,6 +13,7 @@ use crate::structure::reductions::Reductions;
 use crate::structure::{combination, equations, matching, set_unknowns};
 
 /// A vector loop that is split by the guide of a slide.
+#[derive(Clone)]
 struct SplitLoop<'m> {
     /// The index of its equation across the guide.
     index: usize,
@@ -227,11 +228,10 @@ fn combined_across_guides<'m>(
     if splits.is_empty() {
         return None;
     }
-    let is_kept = |k: &usize| splits.iter().all(|split| split.slide != *k);
-    let kept: Vec<Coordinate> = (0..coordinates.len())
-        .filter(is_kept)
-        .map(|k| coordinates[k].clone())
-        .collect();
+    if let Some(found) = apart_across_guides(names, &expanded, &splits, coordinates) {
+        return Some(found);
+    }
+    let kept = without_slides(coordinates, &splits);
     let rows = expanded.iter().enumerate().map(|(index, row)| {
         let row = Expanded::new(names, row.equation.clone(), &kept);
         let is_across = splits.iter().any(|split| split.index == index);
@@ -250,4 +250,37 @@ fn combined_across_guides<'m>(
     }
     found.extend(along);
     Some(found)
+}
+
+/// Returns the coordinates without the slides of split loops.
+fn without_slides(coordinates: &[Coordinate], splits: &[SplitLoop]) -> Vec<Coordinate> {
+    let is_kept = |k: &usize| splits.iter().all(|split| split.slide != *k);
+    let kept = (0..coordinates.len()).filter(is_kept);
+    kept.map(|k| coordinates[k].clone()).collect()
+}
+
+/// Returns the equations across and along the guides, if those across fall apart without further
+/// combinations: two pins of a body on parallel guides give its angle. Loops that need not be split
+/// for this stay vector loops.
+fn apart_across_guides<'m>(
+    names: &Names<'m>,
+    across: &[Expanded<'m>],
+    splits: &[SplitLoop<'m>],
+    coordinates: &[Coordinate],
+) -> Option<Vec<Equation<'m>>> {
+    let mut equations: Vec<Equation<'m>> = across.iter().map(equation).collect();
+    let mut needed: Vec<SplitLoop<'m>> = splits.to_vec();
+    largest_set(names, &equations, &without_slides(coordinates, &needed))?;
+    for split in splits {
+        let mut rest = needed.clone();
+        rest.retain(|other| other.index != split.index);
+        let mut whole = equations.clone();
+        whole[split.index] = split.whole.equation.clone();
+        if largest_set(names, &whole, &without_slides(coordinates, &rest)).is_some() {
+            (equations, needed) = (whole, rest);
+        }
+    }
+    let along = needed.into_iter().map(|split| split.along.equation);
+    equations.extend(along);
+    Some(equations)
 }

@@ -7,6 +7,7 @@ mod forms;
 mod forms_space;
 mod golden;
 mod growth;
+mod guides;
 mod intervals;
 mod joints;
 mod margins;
