@@ -2,7 +2,7 @@
 
 use linkage_core::range_check::{self, significant};
 
-use crate::model::{Dimension, LinkLoop, Mechanism, Type};
+use crate::model::{Dimension, Mechanism, Type};
 
 /// Prints quantities of one mechanism.
 pub(crate) struct MessageFormat<'m> {
@@ -22,6 +22,11 @@ impl<'m> MessageFormat<'m> {
     pub(crate) fn unknowns(&self, unknowns: &[usize]) -> String {
         let name = |&k: &usize| format!("`{}`", self.mechanism.unknowns[k].name);
         unknowns.iter().map(name).collect::<Vec<_>>().join(", ")
+    }
+
+    /// Returns the joints and links that loops stand for, or the numbers of loops.
+    pub(crate) fn loops(&self, loops: &[usize]) -> String {
+        loop_names(self.mechanism, loops)
     }
 
     /// `phi = 30deg, s = 12mm` for the inputs `among` all.
@@ -155,29 +160,25 @@ fn without_noise(components: &[f64]) -> impl Iterator<Item = f64> {
         .map(move |&x| if x.abs() <= NOISE * largest { 0.0 } else { x })
 }
 
-/// `loop 2`, `loops 2 and 3`, `loops 1, 2 and 3`
-pub(crate) fn loop_list<'a>(loops: impl IntoIterator<Item = &'a usize>) -> String {
-    range_check::loop_list(&loop_numbers(loops))
-}
-
-/// Returns the joints and links that loops stand for, ``joint `c` of `rocker` ``; the numbers of
-/// loops as they are written.
+/// Returns the joints and links that loops stand for, ``joint `c` of `rocker` ``, and the numbers of
+/// those that are written as loops, `loops 2 and 3`.
 pub(crate) fn loop_names<'a>(
     mechanism: &Mechanism,
     loops: impl IntoIterator<Item = &'a usize>,
 ) -> String {
     let numbers = loop_numbers(loops);
-    let linked = numbers
-        .iter()
-        .map(|number| mechanism.loops[number - 1].of.as_ref());
-    match linked.collect::<Option<Vec<&LinkLoop>>>() {
-        Some(linked) if !linked.is_empty() => {
-            let mut names: Vec<String> = linked.iter().map(ToString::to_string).collect();
-            names.dedup();
-            range_check::listed(&names)
-        }
-        _ => range_check::loop_list(&numbers),
+    let of = |number: usize| mechanism.loops[number - 1].of.as_ref();
+    let linked = numbers.iter().filter_map(|number| of(*number));
+    let mut names: Vec<String> = linked.map(ToString::to_string).collect();
+    names.dedup();
+    let written: Vec<usize> = numbers
+        .into_iter()
+        .filter(|number| of(*number).is_none())
+        .collect();
+    if names.is_empty() || !written.is_empty() {
+        names.push(range_check::loop_list(&written));
     }
+    range_check::listed(&names)
 }
 
 /// The numbers of loops as they are printed: the first loop of the mechanism is 1.

@@ -5,7 +5,6 @@ use linkage_core::range_check::{Comes, PASSES_HELP, passes};
 use crate::algebra::{Algebra, Nominal};
 use crate::diagnostic::Reporter;
 use crate::ir::ContinuousAngle;
-use crate::message_format::loop_numbers;
 use crate::model::{Input, Mechanism};
 use crate::solve::Formulation;
 
@@ -172,10 +171,11 @@ fn warn_of_change_point(algebra: &mut Algebra, ranges: &mut Ranges, reporter: &m
     let words = MessageFormat::new(algebra.mechanism);
     let group = &formulation.groups[group].group;
     let position = words.inputs(&inputs, &[0]);
-    let loops = loop_numbers(&group.loops);
+    let loops = words.loops(&group.loops);
     let unknowns = words.unknowns(&group.unknowns);
     let group = Comes {
         loops: &loops,
+        several: group.loops.len() != 1,
         unknowns: &unknowns,
     };
     reporter.warning_with_help(input.origin, passes(group, &position), PASSES_HELP);

@@ -5,7 +5,6 @@
 
 use linkage_core::numeric::continuation::{self, Grid, LeftOut};
 
-use crate::message_format::loop_list;
 use crate::solve::{Prepared, Solved};
 
 use super::assembler::Assembly;
@@ -125,7 +124,7 @@ fn beside_dead_point<'m>(
     let fact = format!(
         "{} ({}) cannot be prepared at the reference inputs {}: a dead point is so near that the smallest cells of linkage do not reach \
              the assembly there; the reference itself is none",
-        loop_list(&solved.group.loops),
+        assembly.words.loops(&solved.group.loops),
         assembly.words.unknowns(&solved.group.unknowns),
         assembly
             .words
@@ -161,7 +160,7 @@ fn leaves_out<'m>(
     let fact = format!(
         "{} ({}) cannot be prepared over these ranges: {:.1} % of their positions would be left out, {} among them, though no dead point \
              is near; this is a limit of linkage, not a mistake of yours",
-        loop_list(&solved.group.loops),
+        assembly.words.loops(&solved.group.loops),
         assembly.words.unknowns(&solved.group.unknowns),
         100.0 * left_out.share,
         assembly.words.inputs(&inputs, &prepared.inputs),
@@ -195,7 +194,7 @@ pub(super) fn apart<'m>(
     };
     let fact = format!(
         "the mechanism comes apart in this range: {} ({}) {reach} a dead point at {}",
-        loop_list(&solved.group.loops),
+        assembly.words.loops(&solved.group.loops),
         assembly.words.unknowns(&solved.group.unknowns),
         assembly.words.inputs(inputs, &prepared.inputs),
     );

@@ -5,7 +5,6 @@ use std::f64::consts::{FRAC_PI_3, PI, TAU};
 use linkage_symbolic::program::Ternary;
 
 use crate::algebra::Bound;
-use crate::message_format::loop_list;
 use crate::model::Dimension;
 use crate::solve::Solved;
 
@@ -199,7 +198,7 @@ pub(super) fn meets_estimates(
     let coordinate = assembly.words.coordinate(&item.ty, unmet.value);
     let estimate = &assembly.nominal.estimates[unmet.unknown];
     let difference = difference(assembly, unmet.unknown, unmet.value);
-    let loops = loop_list(&solved.group.loops);
+    let loops = assembly.words.loops(&solved.group.loops);
     let message = format!(
         "`{}` is found at {coordinate}, {difference} its estimate {}{}; {}\n\
              help: look for a wrong sign or number in {loops}, or write the estimates of the assembly that is meant",
@@ -245,7 +244,7 @@ fn warn_of_sign(assembly: &mut Assembly<'_, '_>, solved: &Solved, chosen: &Posit
         let help = format!(
             "if this assembly is meant, write `unknown {};`; otherwise look for a wrong sign in {}",
             assembly.words.unknown_value(*unknown, value),
-            loop_list(&solved.group.loops)
+            assembly.words.loops(&solved.group.loops)
         );
         let origin = written.origin;
         let is_of_part = item.of_part;
@@ -264,7 +263,7 @@ fn listed(
     all: &[&Position],
     choice: Choice,
 ) -> String {
-    let loops = loop_list(&solved.group.loops);
+    let loops = assembly.words.loops(&solved.group.loops);
     let has = match solved.group.loops.len() {
         1 => "has",
         _ => "have",

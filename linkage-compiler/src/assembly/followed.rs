@@ -5,7 +5,6 @@ use linkage_core::numeric::continuation::{Astray, from_estimate};
 use linkage_core::numeric::roots::Unlisted;
 
 use crate::assembly::{at_state, coupled_state, estimates, refusal};
-use crate::message_format::loop_list;
 use crate::mobility::{Nearest, freedom, nearest};
 use crate::solve::{Prepared, Solved};
 use crate::structure::fault::OURS;
@@ -82,8 +81,8 @@ fn has_no_estimates<'m>(
         if open.len() == 1 { "has" } else { "have" },
         assembly.words.at_reference(&assembly.nominal.inputs),
         match solved.group.loops.len() {
-            1 => format!("{} is", loop_list(&solved.group.loops)),
-            _ => format!("{} are", loop_list(&solved.group.loops)),
+            1 => format!("{} is", assembly.words.loops(&solved.group.loops)),
+            _ => format!("{} are", assembly.words.loops(&solved.group.loops)),
         },
         not_listed(unlisted),
     );
@@ -105,7 +104,7 @@ fn leads_nowhere<'m>(
         1 => "is",
         _ => "are",
     };
-    let loops = loop_list(&solved.group.loops);
+    let loops = assembly.words.loops(&solved.group.loops);
     let unknowns = assembly.words.unknowns(&solved.group.unknowns);
     let why = not_listed(unlisted);
     let message = match astray {
@@ -204,7 +203,7 @@ fn moved<'m>(
 
 /// Says that the equations of a group have no value.
 pub(super) fn without_equations<'m>(assembly: &mut Assembly<'_, 'm>, solved: &Solved<'m>) {
-    let loops = loop_list(&solved.group.loops);
+    let loops = assembly.words.loops(&solved.group.loops);
     let unknowns = assembly.words.unknowns(&solved.group.unknowns);
     let position = assembly.words.at_reference(&assembly.nominal.inputs);
     if let Some((part, fact)) = refusal::loops_without_value(assembly, &solved.group.loops) {

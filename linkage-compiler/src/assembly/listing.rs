@@ -6,7 +6,6 @@ use linkage_core::numeric::continuation::{meeting_states, states};
 use linkage_core::numeric::roots::{self, Term, Unlisted};
 
 use crate::assembly::{estimates, followed, unfollowed};
-use crate::message_format::loop_list;
 use crate::solve::{Prepared, Solved};
 
 use super::assembler::Assembly;
@@ -28,7 +27,7 @@ pub(super) fn close_coupled<'m>(
     solved: &Solved<'m>,
     prepared: &Prepared<'m>,
 ) -> bool {
-    let loops = loop_list(&solved.group.loops);
+    let loops = assembly.words.loops(&solved.group.loops);
     let unknowns = assembly.words.unknowns(&solved.group.unknowns);
     let position = assembly.words.at_reference(&assembly.nominal.inputs);
     let origin = assembly.algebra.mechanism.loops[solved.group.loops[0]].origin;

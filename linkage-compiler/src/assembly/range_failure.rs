@@ -38,10 +38,11 @@ impl<'m> Ranges<'_, 'm> {
             &[solved.closed.slack],
         );
         let position = words.inputs(&at.dead_point.inputs, &concerned);
-        let loops = loop_numbers(&solved.group.loops);
+        let loops = words.loops(&solved.group.loops);
         let unknowns = words.unknowns(&solved.group.unknowns);
         let group = Comes {
             loops: &loops,
+            several: solved.group.loops.len() != 1,
             unknowns: &unknowns,
         };
         if !at.dead_point.finite {
@@ -66,7 +67,10 @@ impl<'m> Ranges<'_, 'm> {
             range: works.range.each_ref().map(String::as_str),
         };
         let message = match even {
-            Some(even) => parallelogram(algebra.mechanism, &words, &at, &even, &reaches("")),
+            Some(even) => {
+                let loops = &solved.group.loops;
+                parallelogram(algebra.mechanism, &words, &at, loops, &even, &reaches(""))
+            }
             None => {
                 let picture = DeadPoint {
                     algebra,
@@ -105,10 +109,11 @@ impl<'m> Ranges<'_, 'm> {
             &mut algebra.derivatives.dependence,
             &[solved.closed.slack],
         );
-        let loops = loop_numbers(&solved.group.loops);
+        let loops = words.loops(&solved.group.loops);
         let unknowns = words.unknowns(&solved.group.unknowns);
         let group = Comes {
             loops: &loops,
+            several: solved.group.loops.len() != 1,
             unknowns: &unknowns,
         };
         let mut declared = declared.iter();
@@ -228,6 +233,7 @@ fn parallelogram(
     mechanism: &Mechanism,
     words: &MessageFormat,
     at: &Break,
+    loops: &[usize],
     even: &[ConstantRatio],
     reaches: &Reaches,
 ) -> String {
@@ -239,32 +245,36 @@ fn parallelogram(
             format!("`let {name} = {};`", ratio.relation(input))
         })
         .collect();
-    let loops = range_check::loop_list(reaches.group.loops);
-    let is = match reaches.group.loops.len() {
-        1 => "is",
-        _ => "are",
-    };
     let instead = match even.len() {
         1 => "unknown",
         _ => "unknowns",
     };
-    let written = mechanism.loops[reaches.group.loops[0] - 1].of.is_none();
+    let written = mechanism.loops[loops[0]].of.is_none();
+    // Loops are links, joints close them.
+    let is = match (written, reaches.group.several) {
+        (true, false) => "is",
+        (true, true) => "are",
+        (false, false) => "closes",
+        (false, true) => "close",
+    };
+    let numbers = range_check::loop_list(&loop_numbers(loops));
     let help = match written {
         true => format!(
-            "if it stays a parallelogram, write {} instead of the {instead} and leave {loops} out; else {}",
+            "if it stays a parallelogram, write {} instead of the {instead} and leave {numbers} out; else {}",
             relations.join(" and "),
             reaches.range(),
         ),
         false => format!(
-            "{}; if it stays a parallelogram, write it with loops, which `linkage loops FILE` prints, and {} instead of the {instead} and of {loops}",
+            "{}; if it stays a parallelogram, write it with loops, which `linkage loops FILE` prints, and {} instead of the {instead} and of {numbers}",
             reaches.range(),
             relations.join(" and "),
         ),
     };
     format!(
-        "the mechanism comes apart in this range: {loops} ({}) {is} a parallelogram, and at {} it reaches its change point, where all links lie in \
+        "the mechanism comes apart in this range: {} ({}) {is} a parallelogram, and at {} it reaches its change point, where all links lie in \
          line and it may go on as a crossed one; {}\n\
          help: {help}",
+        reaches.group.loops,
         reaches.group.unknowns,
         words.inputs(&at.dead_point.inputs, &[at.input]),
         reaches.works(),

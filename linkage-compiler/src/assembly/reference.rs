@@ -8,7 +8,7 @@ use crate::assembly::{estimates, listing, parts, refusal};
 use crate::diagnostic::Reporter;
 use crate::ir::{ClosurePrograms, Outputs};
 use crate::machine::{Machine, Reference};
-use crate::message_format::{MessageFormat, loop_list};
+use crate::message_format::MessageFormat;
 use crate::solve::{Formulation, Prepared, Solved};
 
 use super::assembler::Assembly;
@@ -134,7 +134,7 @@ fn close<'m>(
         refusal::refuse(assembly, solved, verdict);
         return false;
     }
-    let loops = loop_list(&solved.group.loops);
+    let loops = assembly.words.loops(&solved.group.loops);
     let unknowns = assembly.words.unknowns(&solved.group.unknowns);
     let position = assembly.words.at_reference(&assembly.nominal.inputs);
     let mut positions: Vec<&Position> = candidates.iter().map(|one| &one.position).collect();

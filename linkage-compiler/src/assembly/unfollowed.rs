@@ -2,7 +2,6 @@
 
 use linkage_core::numeric::continuation::Refusal;
 
-use crate::message_format::loop_list;
 use crate::solve::{Prepared, Solved};
 use crate::structure::fault::OURS;
 
@@ -26,7 +25,7 @@ pub(super) fn refused<'m>(
     prepared: &Prepared<'m>,
     refusal: Refusal,
 ) -> RefusedRange {
-    let loops = loop_list(&solved.group.loops);
+    let loops = assembly.words.loops(&solved.group.loops);
     let unknowns = assembly.words.unknowns(&solved.group.unknowns);
     let [reach, come, are] = match solved.group.loops.len() {
         1 => ["reaches", "comes", "is"],

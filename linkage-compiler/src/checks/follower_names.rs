@@ -1,7 +1,7 @@
 //! Functions whose names a follower uses for items of its own.
 
 use crate::diagnostic::Reporter;
-use crate::message_format::loop_list;
+use crate::message_format::loop_names;
 use crate::model::{METHODS_OF_FOLLOWER, Mechanism};
 use crate::solve::Formulation;
 
@@ -25,7 +25,7 @@ pub(crate) fn check_names_of_follower(
         let loops = &solved.group.loops;
         let fact = format!(
             "the method `{name}` is also generated: {} {} on several inputs, so the assembly has a follower",
-            loop_list(loops),
+            loop_names(mechanism, loops),
             if loops.len() == 1 {
                 "depends"
             } else {

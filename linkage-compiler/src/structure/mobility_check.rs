@@ -1,7 +1,7 @@
 //! Messages about the numbers of unknowns and equations.
 
 use crate::algebra::{Names, Nominal};
-use crate::message_format::loop_list;
+use crate::message_format::loop_names;
 use crate::model::Mechanism;
 use crate::structure::equations::{Coordinate, Equation};
 use crate::structure::fault::StructureFault;
@@ -113,7 +113,7 @@ fn undetermined_unknowns<'m>(
         .filter(|&k| names.mechanism.usage(&[k]).unknowns[unknown])
         .collect();
     if sharing.is_empty() && !written.is_empty() {
-        let loops = loop_list(&written);
+        let loops = loop_names(names.mechanism, &written);
         return fault(format!(
             "no loop changes with `{name}`: it cancels out of {loops}\n\
              help: look for a vector that is turned by `{name}` and lies along its axis, or that is multiplied by 0"
@@ -141,7 +141,10 @@ fn undetermined_unknowns<'m>(
         naming::counted(undetermined.len(), "unknown"),
         naming::unknown_names(names, open.into_iter()),
         naming::counted(rows, "equation"),
-        loop_list(sharing.iter().flat_map(|&k| &equations[k].loops)),
+        loop_names(
+            names.mechanism,
+            sharing.iter().flat_map(|&k| &equations[k].loops)
+        ),
         inputs + surplus,
         if surplus == 1 {
             "one of these unknowns an `input`".to_owned()
@@ -163,7 +166,7 @@ fn surplus_equations<'m>(
 ) -> StructureFault {
     let number = equation.loops[0];
     let origin = names.mechanism.loops[number].origin;
-    let loops = loop_list(&equation.loops);
+    let loops = loop_names(names.mechanism, &equation.loops);
     let text = if let Some(links) = link_count(names.mechanism, equations, coordinates) {
         let moved: Vec<&Coordinate> = contained.iter().map(|&k| &coordinates[k]).collect();
         let repeated =

@@ -6,7 +6,7 @@ use linkage_symbolic::{Ex, substitute};
 
 use crate::algebra::names::Names;
 use crate::algebra::{Bound, Nominal};
-use crate::message_format::loop_list;
+use crate::message_format::loop_names;
 use crate::model::Mechanism;
 use crate::structure::equations::{Coordinate, CoordinateKind, Equation};
 use crate::structure::link_faults;
@@ -82,7 +82,7 @@ pub(crate) fn nearly_redundant<'m>(
         return None;
     }
     let unit = names.mechanism.unit.name();
-    let loops = loop_list(&surplus.loops);
+    let loops = loop_names(names.mechanism, &surplus.loops);
     let linked = nearly_fitting_link(names.mechanism, &surplus.loops, length.as_ref(), unit);
     let help = match length {
         Some((length, unknown)) => format!(

@@ -6,7 +6,7 @@ use linkage_core::numeric::rank::are_independent;
 
 use crate::algebra::names::Names;
 use crate::algebra::{ALIKE, Bound, ConstantRatio, Nominal, constant_ratio};
-use crate::message_format::loop_list;
+use crate::message_format::loop_names;
 use crate::model::{COMPONENTS, Dimension, Mechanism};
 use crate::structure::equations;
 use crate::structure::equations::{Coordinate, CoordinateKind, Equation};
@@ -74,7 +74,7 @@ pub(crate) fn redundant_loops<'m>(
     let link_help = help_for_link(names.mechanism, nominal, spare_loops);
     let help = match spare {
         Some((left_out, even)) => {
-            let loops = loop_list(&left_out.loops);
+            let loops = loop_names(names.mechanism, &left_out.loops);
             if !even.is_empty() {
                 like = ", as a further crank on one rod does that stays parallel";
             }
@@ -83,7 +83,7 @@ pub(crate) fn redundant_loops<'m>(
                 None => format!("leave {loops} out, or write `redundant` at its end"),
             }
         }
-        None => help_for_components(&slopes, surplus, equations),
+        None => help_for_components(names.mechanism, &slopes, surplus, equations),
     };
     Some(RedundantLoops {
         fact: match link_help {
@@ -112,8 +112,13 @@ fn help_for_link(mechanism: &Mechanism, nominal: &Nominal, loops: &[usize]) -> O
 
 /// Returns the advice for a loop of which some components follow from the others: the components to
 /// keep, if one alone can be left out.
-fn help_for_components(slopes: &[Vec<f64>], surplus: &Equation, equations: &[Equation]) -> String {
-    let loops = loop_list(&surplus.loops);
+fn help_for_components(
+    mechanism: &Mechanism,
+    slopes: &[Vec<f64>],
+    surplus: &Equation,
+    equations: &[Equation],
+) -> String {
+    let loops = loop_names(mechanism, &surplus.loops);
     let count = surplus.rows.len();
     let mut components = COMPONENTS.into_iter().enumerate().take(count);
     let spare = components.find(|(component, _)| {

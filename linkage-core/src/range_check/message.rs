@@ -11,8 +11,10 @@ pub const PASSES_HELP: &str =
 /// The group that comes apart.
 #[derive(Clone, Copy, Debug)]
 pub struct Comes<'a> {
-    /// The numbers of its loops, the first loop of the mechanism being 1.
-    pub loops: &'a [usize],
+    /// Its loops: `loops 1 and 2`, or the joints that they stand for.
+    pub loops: &'a str,
+    /// True for more than one loop.
+    pub several: bool,
     /// Its unknowns, in apostrophes.
     pub unknowns: &'a str,
 }
@@ -21,14 +23,13 @@ impl Comes<'_> {
     /// ``the mechanism comes apart in this range: loop 1 (`theta`, `psi`) reaches``
     #[must_use]
     pub fn apart(&self) -> String {
-        let reach = match self.loops.len() {
-            1 => "reaches",
-            _ => "reach",
+        let reach = match self.several {
+            false => "reaches",
+            true => "reach",
         };
         format!(
             "the mechanism comes apart in this range: {} ({}) {reach}",
-            loop_list(self.loops),
-            self.unknowns,
+            self.loops, self.unknowns,
         )
     }
 }
@@ -112,8 +113,7 @@ pub fn not_finite(group: Comes, position: &str, how: &str) -> [String; 2] {
 pub fn passes(group: Comes, position: &str) -> String {
     format!(
         "at {position} the mechanism passes through a change point: from there {} ({}) can go on in another assembly",
-        loop_list(group.loops),
-        group.unknowns
+        group.loops, group.unknowns
     )
 }
 

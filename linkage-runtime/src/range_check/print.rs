@@ -8,8 +8,8 @@ use alloc::string::{String, ToString};
 use alloc::vec::Vec;
 use core::fmt;
 use linkage_core::range_check::{
-    Comes, PASSES_HELP, Reaches, listed, not_finite, passes, position_as_written, rounded_inwards,
-    rounded_to, significant, with_apostrophes,
+    Comes, PASSES_HELP, Reaches, listed, loop_list, not_finite, passes, position_as_written,
+    rounded_inwards, rounded_to, significant, with_apostrophes,
 };
 
 /// A message of the check of a range.
@@ -52,8 +52,10 @@ impl RangeReport {
             loops, unknowns, ..
         } = self.groups[finding.group];
         let unknowns = with_apostrophes(unknowns);
+        let loop_list = loop_list(loops);
         let group = Comes {
-            loops,
+            loops: &loop_list,
+            several: loops.len() != 1,
             unknowns: &unknowns,
         };
         let angle = input.unit == "rad";
