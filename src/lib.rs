@@ -17,7 +17,8 @@ pub use linkage_runtime::{
     Gear, Group, GroupRef, Guide, GuideOn, GuideShape, Halt, Heading, Input, JointShape, Meaning,
     NotFollowed, Operations, Parameter, Picture, PictureColumns, PictureJoint, PictureLink,
     PicturePart, PicturePoint, PlaneFrame, PointKind, Programs, ResultRow, Scalar, Screw,
-    Structure, Table, Vector2, Vector3, true_acceleration, true_jerk, true_velocity,
+    Structure, Table, Vector2, Vector3, WheelContact, WheelTurn, true_acceleration, true_jerk,
+    true_velocity,
 };
 #[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]
 pub use linkage_runtime::{
@@ -420,6 +421,7 @@ pub mod __private {
         Gear, Group, Guide, GuideOn, GuideShape, Heading, Input, JointShape, NotFollowed,
         Parameter, Picture, PictureColumns, PictureJoint, PictureLink, PicturePart, PicturePoint,
         PlaneFrame, PointKind, Programs, ResultRow, Scalar, Structure, Vector2, Vector3,
+        WheelContact, WheelTurn,
     };
     #[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]
     pub use linkage_runtime::{Circuits, Cycle, RangeReport};

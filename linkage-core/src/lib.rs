@@ -40,7 +40,7 @@ pub use elementary::directions;
 pub use meaning::Meaning;
 pub use picture::{
     Axis, Drive, DriveOn, Gear, Guide, GuideOn, GuideShape, JointShape, Picture, PictureJoint,
-    PictureLink, PicturePart, PicturePoint, PointKind,
+    PictureLink, PicturePart, PicturePoint, PointKind, WheelContact, WheelTurn,
 };
 #[cfg(feature = "num-dual")]
 pub use scalar::Dual;

@@ -130,13 +130,38 @@ pub struct PictureJoint {
 
 /// Two wheels that turn each other.
 ///
-/// Their ratio is that of the angles by which the links turn between any two positions.
+/// Their ratio is that of the angles by which they turn between any two positions, as seen from the
+/// line through their centres.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Gear {
     /// The points that the wheels turn about.
     pub centres: [usize; 2],
-    /// A point of the link that each wheel is part of.
-    pub ends: [usize; 2],
+    /// The marks by which the turns of the wheels are seen.
+    pub turns: [WheelTurn; 2],
+    /// The way in which they turn each other.
+    pub contact: WheelContact,
+}
+
+/// A mark by which the turn of a wheel is seen.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum WheelTurn {
+    /// A point of the link that the wheel is part of.
+    End(usize),
+    /// A direction that turns with the wheel.
+    Direction(usize),
+    /// None: the wheel is fixed.
+    Fixed,
+}
+
+/// The way in which two wheels turn each other.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum WheelContact {
+    /// By teeth: one is within the other if both turn in one sense.
+    Teeth,
+    /// By a belt or a chain.
+    Belt,
+    /// Only a relation of angles is known: a belt if both turn in one sense, teeth otherwise.
+    BySense,
 }
 
 /// A member that an input drives.

@@ -56,7 +56,8 @@ pub use linkage_core::Cycle;
 pub use linkage_core::numeric::roots::Unlisted;
 pub use linkage_core::{
     Axis, Drive, DriveOn, Gear, Guide, GuideOn, GuideShape, JointShape, Meaning, Picture,
-    PictureJoint, PictureLink, PicturePart, PicturePoint, PointKind, Scalar,
+    PictureJoint, PictureLink, PicturePart, PicturePoint, PointKind, Scalar, WheelContact,
+    WheelTurn,
 };
 #[cfg(any(feature = "std", feature = "libm"))]
 pub use linkage_core::{Enclosure, Float};

@@ -5,7 +5,9 @@ use quote::quote;
 
 use super::literal;
 use super::outline::Outline;
-use linkage_compiler::ir::{DriveOn, GuideOn, GuideShape, JointShape, Picture, PointKind};
+use linkage_compiler::ir::{
+    DriveOn, GuideOn, GuideShape, JointShape, Picture, PointKind, WheelContact, WheelTurn,
+};
 
 /// The constants of a mechanism that has a picture; `programs` describes it for pages.
 pub(super) fn items(outline: &Outline, picture: &Picture, programs: &str) -> TokenStream {
@@ -85,11 +87,28 @@ fn literal(outline: &Outline, picture: &Picture) -> TokenStream {
         quote!(#runtime::PictureJoint { point: #point, shape: #runtime::JointShape::#shape })
     });
     let gears = picture.gears.iter().map(|gear| {
-        let ([a, b], [c, d]) = (
-            gear.centres.map(literal::index),
-            gear.ends.map(literal::index),
-        );
-        quote!(#runtime::Gear { centres: [#a, #b], ends: [#c, #d] })
+        let [a, b] = gear.centres.map(literal::index);
+        let [first, second] = gear.turns.map(|turn| {
+            let turn = match turn {
+                WheelTurn::End(point) => {
+                    let point = literal::index(point);
+                    quote!(End(#point))
+                }
+                WheelTurn::Direction(direction) => {
+                    let direction = literal::index(direction);
+                    quote!(Direction(#direction))
+                }
+                WheelTurn::Fixed => quote!(Fixed),
+            };
+            quote!(#runtime::WheelTurn::#turn)
+        });
+        let contact = match gear.contact {
+            WheelContact::Teeth => quote!(Teeth),
+            WheelContact::Belt => quote!(Belt),
+            WheelContact::BySense => quote!(BySense),
+        };
+        let contact = quote!(#runtime::WheelContact::#contact);
+        quote!(#runtime::Gear { centres: [#a, #b], turns: [#first, #second], contact: #contact })
     });
     let drives = picture.drives.iter().map(|drive| {
         let input = literal::index(drive.input);

@@ -26,6 +26,6 @@ pub use group::{Coupled, Group, MissedLoop, Placed, PreparedTable, ShownNumber, 
 pub use mechanism::{CompiledMechanism, plain};
 pub use picture::{
     Drive, DriveOn, Gear, Guide, GuideOn, GuideShape, Joint, JointShape, Link, Member, Picture,
-    PicturePart, Point, PointKind,
+    PicturePart, Point, PointKind, WheelContact, WheelTurn,
 };
 pub use signature::{Argument, ContinuousAngle, Input, Parameter, Phase, Role, Scalar, Unknown};

@@ -1,6 +1,8 @@
 //! The elements of a drawing.
 
-pub use linkage_core::{Drive, DriveOn, Gear, GuideOn, GuideShape, JointShape, PointKind};
+pub use linkage_core::{
+    Drive, DriveOn, Gear, GuideOn, GuideShape, JointShape, PointKind, WheelContact, WheelTurn,
+};
 
 /// The vectors of the quantity `picture()`: points first, then directions.
 #[derive(Clone, Debug, Default)]

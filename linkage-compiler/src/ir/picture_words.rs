@@ -2,7 +2,7 @@
 
 use std::fmt::{self, Display, Formatter};
 
-use super::picture::{DriveOn, GuideOn, GuideShape, Member, Picture};
+use super::picture::{DriveOn, GuideOn, GuideShape, Member, Picture, WheelContact};
 
 impl Display for Picture {
     fn fmt(&self, f: &mut Formatter) -> fmt::Result {
@@ -39,7 +39,12 @@ impl Display for Picture {
         }
         for gear in &self.gears {
             let [a, b] = gear.centres.map(|centre| point(centre).as_str());
-            writeln!(f, "gear: wheels about {a} and {b}")?;
+            let word = match gear.contact {
+                WheelContact::Teeth => "gears",
+                WheelContact::Belt => "belt",
+                WheelContact::BySense => "gear",
+            };
+            writeln!(f, "{word}: wheels about {a} and {b}")?;
         }
         for drive in &self.drives {
             match drive.on {

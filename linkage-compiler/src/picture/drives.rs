@@ -7,7 +7,7 @@ use linkage_symbolic::program::Source;
 use linkage_symbolic::{Graph, SymbolId, Vn};
 
 use crate::algebra::{Algebra, Bound, Names};
-use crate::ir::{Drive, DriveOn, Gear, GuideShape, Picture, PicturePart};
+use crate::ir::{Drive, DriveOn, Gear, GuideShape, Picture, PicturePart, WheelContact, WheelTurn};
 use crate::model::{Loop, Name};
 use crate::picture::by_point::ByPoint;
 use crate::picture::marks::{Segment, Shape};
@@ -98,7 +98,8 @@ pub(super) fn gears(
         let turning = turning.map(|other| &wheels[other]);
         gears.extend(turning.map(|other| Gear {
             centres: [other.centre, wheel.centre],
-            ends: [other.end, wheel.end],
+            turns: [other.end, wheel.end].map(WheelTurn::End),
+            contact: WheelContact::BySense,
         }));
     }
     gears

@@ -96,9 +96,13 @@ impl<'m> Guides<'m> {
             _ if is_cylinder => (GuideOn::Itself, GuideShape::Cylinder),
             _ => (on, GuideShape::Slot),
         };
-        // A cylinder may be in line with a slot. Arcs have no line.
+        // A cylinder may be in line with a slot, but not with one that belongs to nothing else: that is
+        // the joint of its rod. Arcs have no line.
         let known = self.all.iter().any(|guide| {
-            let is_like = shape != GuideShape::Arc && guide.shape == shape;
+            let has_line = shape != GuideShape::Arc && guide.shape != GuideShape::Arc;
+            let is_rod =
+                guide.on == GuideOn::Itself && on == GuideOn::Itself && guide.origin == origin;
+            let is_like = has_line && (guide.shape == shape || is_rod);
             is_like && guide.slider == slider && {
                 let other = samples.tracks_of(&[guide.along]);
                 parallel(along, &other[0])

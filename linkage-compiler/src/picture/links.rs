@@ -6,7 +6,7 @@ use linkage_symbolic::lookup::{Map, Set};
 
 use crate::model::Mechanism;
 use crate::picture::joining::Joining;
-use crate::picture::marks::{Arc, Mean, Segment, Shape, Spot};
+use crate::picture::marks::{Arc, Mean, Segment, Shape, Spot, Title};
 use crate::picture::ownership::Ownership;
 use crate::picture::raw_link::{self, Frame, RawLink};
 use crate::picture::rigid_bodies::Welds;
@@ -29,21 +29,25 @@ impl<'m> Links<'m> {
         let welds = Welds::new(dimension, &sketch.points, samples);
         let first = |point: usize| samples.same[point];
         for asked in &sketch.asked {
-            let points = raw_link::distinct(asked.points.iter().map(|&point| first(point)));
-            let frames = asked.points.windows(2).map(|ends| Frame {
-                from: ends[0],
-                to: ends[1],
-                step: sketch.points[ends[0]].step_to(&sketch.points[ends[1]]),
-            });
+            let link = of_list(sketch, samples, &asked.points);
             links.all.push(RawLink {
-                part: ownership.part_of(None, &points),
-                points,
-                title: None,
-                frames: frames.collect(),
+                part: ownership.part_of(None, &link.points),
                 asked: true,
-                body: None,
-                unknown: None,
+                ..link
             });
+        }
+        for (index, named) in sketch.named_links.iter().enumerate() {
+            let link = of_list(sketch, samples, &named.points);
+            let moves = link.points.iter().any(|&point| !samples.is_fixed(point));
+            if moves && link.points.len() > 1 {
+                let text = named.name.clone();
+                links.all.push(RawLink {
+                    part: ownership.named(&text),
+                    title: Some(Title { rank: 0, text }),
+                    named: Some(index),
+                    ..link
+                });
+            }
         }
         for segment in &sketch.segments {
             let (from, to) = (first(segment.from), first(segment.to));
@@ -64,6 +68,7 @@ impl<'m> Links<'m> {
                         step: segment.step,
                     }],
                     asked: false,
+                    named: None,
                     body: match segment.shape {
                         Shape::Body(body) => body,
                         _ => None,
@@ -182,6 +187,25 @@ impl<'m> Links<'m> {
     }
 }
 
+/// Returns a link of listed points.
+fn of_list<'m>(sketch: &Sketch<'m>, samples: &Samples, points: &[usize]) -> RawLink<'m> {
+    let frames = points.windows(2).map(|ends| Frame {
+        from: ends[0],
+        to: ends[1],
+        step: sketch.points[ends[0]].step_to(&sketch.points[ends[1]]),
+    });
+    RawLink {
+        points: raw_link::distinct(points.iter().map(|&point| samples.same[point])),
+        title: None,
+        frames: frames.collect(),
+        asked: false,
+        named: None,
+        body: None,
+        unknown: None,
+        part: None,
+    }
+}
+
 /// True if the form of a segment fixes the distance of its ends. A term has its length for all
 /// values of the unknowns; distances and bodies get theirs from loops.
 pub(super) fn is_rigid(segment: &Segment, samples: &Samples) -> bool {
@@ -205,10 +229,10 @@ fn are_one(a: &RawLink, b: &RawLink, samples: &Samples, welds: &Welds) -> bool {
     let rigid = |p: &usize| b.points.iter().all(|&q| samples.keep_distance(*p, q));
     // Lists are different links: in space, turning about a common line does not show in distances.
     // So are bodies.
-    let other_lists = a.asked && b.asked;
-    let other_bodies = a.body.is_some() && b.body.is_some() && a.body != b.body;
+    let other_lists = a.asked && b.asked || are_two(a.named, b.named);
+    let other_bodies = are_two(a.body, b.body);
     // Cranks of two parts on one shaft are drawn as two.
-    let other_parts = a.part.is_some() && b.part.is_some() && a.part != b.part;
+    let other_parts = are_two(a.part, b.part);
     let others = other_lists || other_bodies || other_parts;
     if shared.is_empty() || others || !a.points.iter().all(rigid) {
         return false;
@@ -220,4 +244,9 @@ fn are_one(a: &RawLink, b: &RawLink, samples: &Samples, welds: &Welds) -> bool {
         || a.unknown.is_some() && a.unknown == b.unknown
         || welds.join(&a.frames, &b.frames, &a.points)
         || welds.join(&b.frames, &a.frames, &b.points)
+}
+
+/// True for two different numbers.
+fn are_two(a: Option<usize>, b: Option<usize>) -> bool {
+    a.is_some() && b.is_some() && a != b
 }

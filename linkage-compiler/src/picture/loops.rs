@@ -6,13 +6,13 @@ use linkage_symbolic::{Ex, NodeId};
 use crate::algebra::Algebra;
 use crate::model::{Expr, ExprKind, Function, Let, Loop, Mechanism, Name, Type};
 use crate::picture::layout::Layout;
-use crate::picture::marks::{Asked, Shape, Term, Title};
+use crate::picture::marks::{Shape, Term, Title};
 use crate::picture::point_or_vector::Roles;
 use crate::picture::sketch::Sketch;
 use crate::picture::statement::{ASIDE, Statement};
 use crate::picture::{
-    arcs, bodies, chains, expressions, frames, layout, parts, planes, sketch, terms, titles,
-    weights,
+    arcs, bodies, chains, expressions, frames, layout, listed_links, parts, planes, sketch, terms,
+    titles, weights,
 };
 
 /// UniqueNames in derived quantities stand behind those in loops, and where no loop uses the
@@ -42,6 +42,7 @@ pub(super) fn collect<'m>(
     }
     bodies::look_at_bodies(algebra, layout, sketch);
     arcs::look_at_arcs(algebra, layout, sketch);
+    listed_links::add_links(algebra, layout, sketch);
     undrawn
 }
 
@@ -99,30 +100,6 @@ fn look_at_unknowns<'m>(algebra: &mut Algebra<'m>, layout: &Layout<'m>, sketch: 
             titles::call(&mut sketch.points[point], Title { rank: 1, text });
             sketch.points[point].wanted = true;
         }
-    }
-}
-
-/// The links that `picture` lists.
-pub(super) fn add_lists<'m>(
-    algebra: &mut Algebra<'m>,
-    layout: &Layout<'m>,
-    sketch: &mut Sketch<'m>,
-    lists: &'m [Vec<Expr>],
-) {
-    for list in lists {
-        let points: Vec<usize> = list
-            .iter()
-            .map(|expr| {
-                let at = layout::vector(algebra, layout.dimension, expr);
-                let found = chains::point_of(algebra, layout, sketch, Statement::default(), expr);
-                let point = sketch::point(algebra, layout, &mut sketch.points, &[], at);
-                titles::name(algebra.mechanism, &mut sketch.points[point], 0, expr);
-                sketch.points[point].wanted = true;
-                found.unwrap_or(point)
-            })
-            .collect();
-        let origin = list[0].origin;
-        sketch.asked.push(Asked { points, origin });
     }
 }
 

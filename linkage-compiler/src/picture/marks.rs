@@ -97,6 +97,23 @@ pub(super) struct Asked {
     pub(super) origin: OriginId,
 }
 
+/// A link that the text has by its name.
+#[derive(Clone, Debug)]
+pub(super) struct NamedLink {
+    pub(super) name: String,
+    pub(super) points: Vec<usize>,
+}
+
+/// Two wheels that turn each other by the text.
+#[derive(Clone, Debug)]
+pub(super) struct WheelPair<'m> {
+    pub(super) centres: [usize; 2],
+    /// Unit vectors that turn with the wheels; `None` for one that is fixed.
+    pub(super) directions: [Option<Vn<'m>>; 2],
+    /// True for gears, false for a belt.
+    pub(super) touch: bool,
+}
+
 /// A term of a sum.
 pub(super) struct Term<'m> {
     pub(super) sign: f64,

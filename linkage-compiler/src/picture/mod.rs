@@ -17,6 +17,7 @@
 //! | `frames` | the coordinates in which names and loops are written |
 //! | `parts`, `directions`, `literals`, `terms` | sums of vectors, taken apart into terms |
 //! | `chains` | sums of vectors as chains of points |
+//! | `listed_links` | links that `picture` or a text with joints and links lists |
 //! | `planes`, `arcs`, `bodies`, `loops` | points and segments of loops, arcs, bodies and joints |
 //! | `track`, `cells`, `views` | points at several positions and with other dimensions |
 //! | `open_loop`, `samples` | the motion without loops, and the points at all positions |
@@ -25,7 +26,7 @@
 //! | `ownership`, `links` | parts of a machine, and points that keep their distances |
 //! | `candidates`, `guides` | lines and arcs along which points slide, and the links that carry them |
 //! | `by_point`, `meeting`, `unique_names` | lists by points, and names that are given once |
-//! | `drives`, `joints` | links that inputs move, and joints in points |
+//! | `drives`, `declared_gears`, `joints` | links that inputs move, wheels, and joints in points |
 //! | `found_picture`, `names` | the picture with names for everything |
 
 mod arcs;
@@ -35,6 +36,7 @@ mod candidates;
 mod cells;
 mod chains;
 mod check;
+mod declared_gears;
 mod directions;
 mod drives;
 mod expressions;
@@ -45,6 +47,7 @@ mod joining;
 mod joints;
 mod layout;
 mod links;
+mod listed_links;
 mod literals;
 mod loops;
 mod marks;
@@ -98,7 +101,7 @@ pub(crate) fn find<'m>(
     let layout = Layout::new(algebra, dimension);
     let mut sketch = Sketch::default();
     let undrawn = loops::collect(algebra, &layout, &mut sketch);
-    loops::add_lists(algebra, &layout, &mut sketch, asked.links);
+    listed_links::add_lists(algebra, &layout, &mut sketch, asked.links);
     let mut samples = Samples::new(algebra, &sketch.points, reference, nominal);
     if samples.places() < 2 && !algebra.mechanism.inputs.is_empty() {
         reporter.error_with_help(

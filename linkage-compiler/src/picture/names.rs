@@ -4,7 +4,8 @@ use linkage_symbolic::Vn;
 use linkage_symbolic::lookup::Map;
 
 use crate::algebra::Algebra;
-use crate::ir::{Guide, GuideOn, GuideShape, Link, Picture, Point, PointKind};
+use crate::ir::{Gear, Guide, GuideOn, GuideShape, Link, Picture, Point, PointKind};
+use crate::picture::declared_gears;
 use crate::picture::drives;
 use crate::picture::found_picture::FoundPicture;
 use crate::picture::guides::Guides;
@@ -27,12 +28,14 @@ pub(super) fn named<'m>(
     ownership: &Ownership,
 ) -> FoundPicture<'m> {
     let axes = sketch.axes.iter().map(|(at, _)| samples.same[*at]);
+    let wheels = sketch.wheels.iter().flat_map(|pair| pair.centres);
+    let wheels = wheels.map(|centre| samples.same[centre]);
     let namer = Namer {
         points: &sketch.points,
         samples,
         guides,
         link_names: link_names(links),
-        meeting: Meeting::new(links, guides, axes.collect()),
+        meeting: Meeting::new(links, guides, axes.collect(), wheels.collect()),
     };
     let kept: Vec<(usize, PointKind)> = (0..sketch.points.len())
         .filter(|&point| samples.same[point] == point)
@@ -101,13 +104,20 @@ pub(super) fn named<'m>(
             picture.axes.push((point, direction));
         }
     }
-    let declared = sketch.joints.iter();
-    let declared = declared.filter_map(|(point, kind)| Some((index_of(*point)?, *kind)));
+    let declared = declared_gears::gears(
+        &sketch.wheels,
+        &mut picture,
+        &mut directions,
+        &mut names,
+        &index_of,
+    );
+    let joints = sketch.joints.iter();
+    let joints = joints.filter_map(|(point, kind)| Some((index_of(*point)?, *kind)));
     let turning = JointFinder {
         samples,
         points: kept.iter().map(|(point, _)| *point).collect(),
         ways: samples.tracks_of(&directions),
-        declared: declared.collect(),
+        declared: joints.collect(),
     };
     picture.joints = turning.joints(&picture);
     let named = sketch.joint_names.iter();
@@ -116,7 +126,18 @@ pub(super) fn named<'m>(
     picture.drives = drives::drives(algebra, &sketch.segments, &picture, &index_of);
     let kept_points: Vec<usize> = kept.iter().map(|(point, _)| *point).collect();
     picture.parts = ownership.parts(&picture, &links.all, &kept_points);
-    picture.gears = drives::gears(algebra, &sketch.segments, &picture, &index_of, samples);
+    let found = drives::gears(algebra, &sketch.segments, &picture, &index_of, samples);
+    // Those that the text has are known better.
+    let is_new = |gear: &Gear| {
+        let [a, b] = gear.centres;
+        let mut declared = declared.iter().map(|gear| gear.centres);
+        declared.all(|centres| centres != [a, b] && centres != [b, a])
+    };
+    picture.gears = declared
+        .iter()
+        .copied()
+        .chain(found.into_iter().filter(is_new))
+        .collect();
     let vectors = kept.iter().map(|(point, _)| sketch.points[*point].at);
     FoundPicture {
         vectors: vectors.chain(directions).collect(),
@@ -143,19 +164,20 @@ impl Namer<'_, '_> {
         let pivots = guides.clone().any(|guide| guide.on == GuideOn::Itself);
         let is_centre = guides.clone().any(|guide| guide.shape == GuideShape::Arc);
         let has_axis = self.meeting.axes.contains(&point);
+        let has_wheel = self.meeting.wheels.contains(&point);
         let mut aliases = self.samples.aliases(point);
         let wanted = aliases.any(|other| self.points[other].wanted);
         if !self.samples.is_known(point) {
             return None;
         }
         match (self.is_fixed(point), links) {
-            (true, _) if links > 0 || pivots || slides => Some(PointKind::Ground),
+            (true, _) if links > 0 || pivots || slides || has_wheel => Some(PointKind::Ground),
             (true, _) if has_guide || has_axis => Some(PointKind::Construction),
             (true, _) => None,
             (false, _) if links + usize::from(slides) + usize::from(pivots) > 1 => {
                 Some(PointKind::Joint)
             }
-            (false, _) if slides => Some(PointKind::Joint),
+            (false, _) if slides || has_wheel => Some(PointKind::Joint),
             // The foot of a guide on its link, and the centre of an arc in which nothing turns.
             (false, 1) if has_guide && (is_centre || !self.has_name(point)) => {
                 Some(PointKind::Construction)

@@ -12,6 +12,8 @@ pub(super) struct RawLink<'m> {
     pub(super) frames: Vec<Frame<'m>>,
     /// True if the user listed it.
     pub(super) asked: bool,
+    /// The link of the text that it is.
+    pub(super) named: Option<usize>,
     /// The body that it is.
     pub(super) body: Option<usize>,
     /// The unknown frame that says where it is.
@@ -27,6 +29,7 @@ impl<'m> RawLink<'m> {
         self.points = distinct(points);
         self.frames.extend(other.frames);
         self.asked |= other.asked;
+        self.named = self.named.or(other.named);
         self.body = self.body.or(other.body);
         self.unknown = self.unknown.or(other.unknown);
         self.part = self.part.or(other.part);

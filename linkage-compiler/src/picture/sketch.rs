@@ -5,7 +5,9 @@ use linkage_symbolic::Vn;
 use crate::algebra::Algebra;
 use crate::model::JointKind;
 use crate::picture::layout::Layout;
-use crate::picture::marks::{Arc, Asked, Line, Mean, Plane, Segment, Shape, Spot, Title, Turn};
+use crate::picture::marks::{
+    Arc, Asked, Line, Mean, NamedLink, Plane, Segment, Shape, Spot, Title, Turn, WheelPair,
+};
 
 /// Points and the segments between them, as they are found; several may be one and the same.
 #[derive(Default)]
@@ -29,6 +31,10 @@ pub(super) struct Sketch<'m> {
     pub(super) joint_names: Vec<(String, usize)>,
     /// Links that the user named, each by its points.
     pub(super) asked: Vec<Asked>,
+    /// Links that the text has, each by its points.
+    pub(super) named_links: Vec<NamedLink>,
+    /// Wheels that the text has.
+    pub(super) wheels: Vec<WheelPair<'m>>,
 }
 
 impl<'m> Sketch<'m> {

@@ -7,6 +7,7 @@ use syn::ext::IdentExt;
 use super::expression_tree::{Expr, ExprKind, Toleranced};
 use super::item_name::ItemName;
 use super::keyword::{DeclarationWord, ItemWord, LoadWord};
+use super::link_elements::LinkElements;
 use super::link_inventory::{LinkInventory, LinkLoop};
 use super::linked_tree::LinkedItem;
 use super::mechanics_tree::{BodyItem, ElementItem, JointItem, LoadItem, Member};
@@ -24,6 +25,8 @@ pub struct MechanismDef {
     pub functions: Vec<FunctionDef>,
     /// The joints and links that items stand for, once these have taken their place.
     pub links: Option<LinkInventory>,
+    /// The links and wheels among these.
+    pub link_elements: LinkElements,
 }
 
 impl MechanismDef {

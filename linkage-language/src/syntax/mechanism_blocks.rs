@@ -3,6 +3,7 @@
 use proc_macro2::{Delimiter, Ident, TokenStream};
 
 use super::ast::{FunctionDef, MechanismDef};
+use super::link_elements::LinkElements;
 use super::parser::{Parsed, Parser};
 use super::stream::Stream;
 use crate::diagnostic::Diagnostics;
@@ -72,6 +73,7 @@ impl Parser<'_> {
             items: Vec::new(),
             functions: Vec::new(),
             links: None,
+            link_elements: LinkElements::default(),
         };
         let body = self.braces(&definition.name.to_string());
         let items = body.map(|group| self.within(&group, |parser| parser.items()));

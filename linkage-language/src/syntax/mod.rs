@@ -13,6 +13,7 @@ mod item_name;
 mod items;
 mod joints;
 mod keyword;
+mod link_elements;
 mod link_inventory;
 mod linked;
 mod linked_tree;
@@ -42,6 +43,7 @@ pub use item_name::ItemName;
 pub use keyword::{
     ClauseWord, DeclarationWord, ItemWord, JointKind, LinkedWord, LoadWord, is_keyword,
 };
+pub use link_elements::*;
 pub use link_inventory::*;
 pub use linked_tree::*;
 pub use mechanics_tree::*;

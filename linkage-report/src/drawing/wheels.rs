@@ -1,4 +1,4 @@
-//! Gears as pitch circles, belts where wheels turn the same way.
+//! Gears as pitch circles, and belts.
 
 use std::format;
 use std::string::String;
@@ -12,7 +12,8 @@ use linkage_core::format::rounded;
 use linkage_formats::colour::Colour;
 use linkage_formats::svg::{Element, Svg};
 
-/// Distance from the contact of wheels to the middle of their ratio, which is in the larger one.
+/// Distance from the contact of wheels to the middle of their ratio, which is in the larger one, or
+/// outside if one is within the other.
 const ASIDE: f64 = 8.5;
 
 pub(super) fn wheels(drawing: &Drawing<'_>, svg: &mut Svg, sheet: &Sheet<'_>, row: usize) {
@@ -35,7 +36,7 @@ pub(super) fn wheels(drawing: &Drawing<'_>, svg: &mut Svg, sheet: &Sheet<'_>, ro
                         .set("stroke-dasharray", "4 1 0.8 1"),
                 );
             }
-            if wheels.ratio > 0.0 {
+            if wheels.belt {
                 belt(svg, [a, b], radii);
             }
         });
@@ -62,13 +63,15 @@ pub(super) fn ratios(
         let radii = wheels.radii.map(|radius| radius * sheet.factor);
         let apart = (b[0] - a[0]).hypot(b[1] - a[1]);
         let way = [0, 1].map(|k| (b[k] - a[k]) / apart);
-        // Between the wheels of a belt there is room.
-        let aside = match wheels.ratio > 0.0 {
-            true => 0.0,
-            false => ASIDE * (radii[1] - radii[0]).signum(),
+        let larger = (radii[1] - radii[0]).signum();
+        let along = match (wheels.belt, wheels.ratio > 0.0) {
+            // Between the wheels of a belt there is room.
+            (true, _) => radii[0] + 0.5 * (apart - radii[0] - radii[1]),
+            (false, false) => radii[0] + ASIDE * larger,
+            // Outside of both wheels, one of which is within the other.
+            (false, true) => -larger * (radii[0] + ASIDE),
         };
-        let touch = radii[0] + 0.5 * (apart - radii[0] - radii[1]);
-        let at = moved(a, way, touch + aside, -1.0);
+        let at = moved(a, way, along, -1.0);
         Some((at, format!("1 : {}", rounded(wheels.ratio))))
     });
     ratios.collect()

@@ -31,7 +31,8 @@ fn gears(shown: &PositionedPicture<'_>) -> Value {
     let gears = shown.picture.gears.iter();
     let gears = gears.filter_map(|gear| {
         let wheels = PitchCircles::new(shown, gear)?;
-        Some(json!({ "centres": gear.centres, "radii": wheels.radii, "ratio": wheels.ratio }))
+        let PitchCircles { radii, ratio, belt } = wheels;
+        Some(json!({ "centres": gear.centres, "radii": radii, "ratio": ratio, "belt": belt }))
     });
     gears.collect::<Vec<_>>().into()
 }

@@ -7,8 +7,8 @@ const HEAD = { length: 9, half: 3.6 };
 // Half the length and half the height of bars; the radius of a ring.
 const BARS = { sleeve: [11, 5], "long sleeve": [19, 5], line: [15, 0] };
 const RING = 8.5;
-// Distance from the contact of wheels to the middle of their ratio, which is in the larger one, and
-// half its width.
+// Distance from the contact of wheels to the middle of their ratio, which is in the larger one or
+// outside of both, and half its width.
 const RATIO = { aside: 32, half: 24 };
 
 function signParts() {
@@ -18,11 +18,12 @@ function signParts() {
   ];
 }
 
-// Pitch circles, a belt where both turn the same way.
-function gearPart({ centres, radii, ratio }) {
+// Pitch circles, and the belt that joins wheels.
+function gearPart({ centres, radii, ratio, belt }) {
   const wheels = radii.map(() => shape("circle", { class: "wheel" }));
-  const belt = shape("path", { class: "belt" });
-  const node = shape("g", { class: "gear" }, shape("title", {}, `gears 1 : ${short(ratio)}`), ...wheels, belt);
+  const line = shape("path", { class: "belt" });
+  const words = `${belt ? "belt" : "gears"} 1 : ${short(ratio)}`;
+  const node = shape("g", { class: "gear" }, shape("title", {}, words), ...wheels, line);
   return {
     node,
     behind: true,
@@ -32,7 +33,7 @@ function gearPart({ centres, radii, ratio }) {
       const [a, b] = places.map(project);
       const sizes = radii.map((radius) => radius * cameraScale());
       wheels.forEach((wheel, i) => set(wheel, { cx: pixel([a, b][i][0]), cy: pixel([a, b][i][1]), r: pixel(sizes[i]) }));
-      set(belt, { d: ratio > 0 ? beltOutline(a, b, sizes) : null });
+      set(line, { d: belt ? beltOutline(a, b, sizes) : null });
       // Names are legible on wheels.
       this.covers = [];
       return meanNearness([a, b]);
@@ -41,7 +42,7 @@ function gearPart({ centres, radii, ratio }) {
 }
 
 // The turns of the second wheel for one turn of the first.
-function ratioPart({ centres, radii, ratio }) {
+function ratioPart({ centres, radii, ratio, belt }) {
   const node = shape("text", { class: "ratio", "text-anchor": "middle" }, `1 : ${short(ratio)}`);
   return {
     node,
@@ -51,9 +52,11 @@ function ratioPart({ centres, radii, ratio }) {
       const [a, b] = places.map(project);
       const apart = distance(a, b) || 1;
       const [first, second] = radii.map((radius) => radius * cameraScale());
-      // Between the wheels of a belt there is room.
-      const aside = ratio > 0 ? 0 : RATIO.aside * (second > first ? 1 : -1);
-      const at = first + 0.5 * (apart - first - second) + aside;
+      const larger = second > first ? 1 : -1;
+      // Between the wheels of a belt there is room. The ratio is outside if one wheel is within the other.
+      const between = first + 0.5 * (apart - first - second);
+      const touching = ratio < 0 ? first + RATIO.aside * larger : -larger * (first + RATIO.aside);
+      const at = belt ? between : touching;
       const [x, y] = [0, 1].map((i) => a[i] + (at * (b[i] - a[i])) / apart);
       set(node, { x: pixel(x), y: pixel(y + 4) });
       this.covers = [taken([[x - RATIO.half, y], [x + RATIO.half, y]], 8)];

@@ -175,6 +175,7 @@ fn def() -> MechanismDef {
             function("fixed", "Fixed", &[], vec![quantity("rod2", name("rod2"))]),
         ],
         links: None,
+        link_elements: syntax::LinkElements::default(),
     }
 }
 
@@ -259,6 +260,7 @@ pub(crate) fn mechanism() -> Mechanism {
         elements: vec![],
         arcs: vec![],
         links: None,
+        link_elements: model::LinkElements::default(),
         evaluators: vec![
             evaluator("path", "Path", vec![0]),
             evaluator("modes", "Turning", vec![0]),

@@ -4,6 +4,7 @@ use super::arc::resolve_arc;
 use super::argument::resolve_arguments;
 use super::coordinates::{resolve_input, resolve_unknown};
 use super::definitions::{resolve_loop, resolve_named};
+use super::link_elements::resolve_link_elements;
 use super::parameter::resolve_parameter;
 use super::scalars::add_scalars;
 use super::unknown_frame::{close_frames, resolve_unknown_frames};
@@ -18,7 +19,7 @@ use crate::model::symbols::scope::Scope;
 use crate::model::symbols::sink::Sink;
 use crate::model::symbols::site::{Context, Site};
 use crate::model::symbols::values::Values;
-use crate::model::types::{Constant, LengthUnit, Let, Mechanism, Name};
+use crate::model::types::{Constant, LengthUnit, Let, LinkElements, Mechanism, Name};
 use crate::syntax::{Attribute, UnitItem, Word, documentation};
 
 /// All items, pass by pass.
@@ -55,6 +56,7 @@ pub(in crate::model) fn resolve_items(
         arcs: Vec::new(),
         evaluators: Vec::new(),
         links: definition.links.clone(),
+        link_elements: LinkElements::default(),
         origin: sink.add_origin((&definition.name).into()),
     };
     for (position, item) in passes.constants {
@@ -132,6 +134,8 @@ pub(in crate::model) fn resolve_items(
     for item in passes.arcs {
         mechanism.arcs.push(resolve_arc(scope, sink, item));
     }
+    let elements = resolve_link_elements(scope, sink, &definition.link_elements);
+    mechanism.link_elements.append(elements);
     mechanism
         .scalar_parameters
         .clone_from(&scope.values.scalar_parameters);

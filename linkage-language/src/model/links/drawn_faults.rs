@@ -110,12 +110,10 @@ fn report_wheels(sheet: &Sheet, diagnostics: &mut Diagnostics) {
             diagnostics.error_with_help(span, "both wheels are one body", "name two links");
             continue;
         }
-        let carrier = &sheet.bodies.list[body(pair.carrier)].joints;
         for wheel in pair.wheels {
-            let joints = &sheet.bodies.list[body(wheel)].joints;
             // A wheel that is fixed needs no pivot.
-            let pivots = joints.iter().any(|joint| carrier.contains(joint));
-            if body(wheel) != FRAME && !pivots {
+            let pivot = sheet.bodies.shared_joint(wheel, pair.carrier);
+            if body(wheel) != FRAME && pivot.is_none() {
                 let wheel = &sheet.linkage.links[wheel].name;
                 let carrier = &sheet.linkage.links[pair.carrier].name;
                 let fact = format!("the wheel `{wheel}` has no pivot on `{carrier}`");

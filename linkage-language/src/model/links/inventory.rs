@@ -3,8 +3,9 @@
 
 use std::collections::BTreeMap;
 
-use super::drawing::{Drawing, is_fixed, is_spatial, nominal};
+use super::drawing::{Drawing, is_fixed, is_spatial};
 use super::linkage::{FRAME, Linkage};
+use super::locations::is_cylinder;
 use super::rigid_bodies::Bodies;
 use crate::syntax::{JointCount, LinkInventory, LinkLoop};
 
@@ -40,10 +41,7 @@ pub(super) fn inventory(linkage: &Linkage, bodies: &Bodies, drawing: &Drawing) -
 /// Returns the links whose length is an input or computed.
 fn cylinders(linkage: &Linkage, drawing: &Drawing) -> Vec<String> {
     let links = linkage.links.iter();
-    let computed = links.filter(|link| {
-        let length = link.length.map(nominal);
-        length.is_some_and(|length| !drawing.is_constant(&length))
-    });
+    let computed = links.filter(|link| is_cylinder(link, drawing));
     computed.map(|link| link.name.to_string()).collect()
 }
 

@@ -4,7 +4,7 @@
 use proc_macro2::Ident;
 
 use super::drawing::{Drawing, nominal};
-use super::linkage::{FRAME, Linkage};
+use super::linkage::{FRAME, Link, Linkage};
 use super::nodes::{call, difference, ident, name, negative, number, pair, quantity, sum};
 use super::rigid_bodies::{Bodies, Body};
 use crate::diagnostic::{Diagnostics, SourceSpan};
@@ -204,6 +204,12 @@ pub(super) fn parameter(link: &Ident, quantity: &Ident, value: Toleranced) -> It
         name: ItemName::of_link(link.clone(), quantity.clone()),
         value,
     })
+}
+
+/// Returns true for a link whose length is an input or computed.
+pub(super) fn is_cylinder(link: &Link, drawing: &Drawing) -> bool {
+    let length = link.length.map(nominal);
+    length.is_some_and(|length| !drawing.is_constant(&length))
 }
 
 /// The expression of a joint by its name.

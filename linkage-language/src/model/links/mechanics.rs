@@ -5,7 +5,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use proc_macro2::Ident;
 
 use super::linkage::{FRAME, Linkage, Slider};
-use super::locations::{angle, point};
+use super::locations::{angle, is_cylinder, point};
 use super::nodes::{call, ident};
 use super::order::Step;
 use super::rigid_bodies::Bodies;
@@ -185,12 +185,11 @@ fn copy_inertia(part: &InertiaPart) -> InertiaPart {
 /// Returns the joint at which a cylinder ends, if the body is one.
 fn sliding_end(sheet: &Sheet, body: usize, from: usize) -> Option<usize> {
     let link = &sheet.linkage.links[sheet.bodies.list[body].lead()];
-    let length = super::drawing::nominal(link.length?);
     let [first, second] = sheet.bodies.list[body].joints[..] else {
         return None;
     };
     let end = if from == first { second } else { first };
-    (!sheet.drawing.is_constant(&length)).then_some(end)
+    is_cylinder(link, sheet.drawing).then_some(end)
 }
 
 /// Returns the body that a joint of a body is fixed on: the rod, if the body is a cylinder.

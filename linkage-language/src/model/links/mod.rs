@@ -1,5 +1,6 @@
 //! Joints and links: the second way to write a mechanism. They become parameters, unknowns, points
-//! and loops, so that nothing after `model` knows them.
+//! and loops, so that after `model` only their inventory and elements are
+//! known, for messages and pictures.
 //!
 //! `collect` finds what the names mean, `rigid_bodies` joins links that are one body, `order` decides from
 //! which joint each body is reached and where loops close, and `link_items` writes the items.
@@ -8,6 +9,7 @@ mod collect;
 mod curved_slots;
 mod drawing;
 mod drawn_faults;
+mod elements;
 mod inventory;
 mod link_items;
 mod linkage;
@@ -27,7 +29,7 @@ use std::collections::BTreeMap;
 use proc_macro2::TokenStream;
 
 use crate::diagnostic::Diagnostics;
-use crate::syntax::{Item, MechanismDef, parse};
+use crate::syntax::{Item, LinkElements, MechanismDef, parse};
 
 /// Reads the mechanisms of a text, with loops in the place of their joints and links.
 pub fn read(tokens: TokenStream, diagnostics: &mut Diagnostics) -> Vec<MechanismDef> {
@@ -66,15 +68,18 @@ fn expand_mechanism(
     let mut renamed = BTreeMap::new();
     let mut items = Vec::new();
     let mut links = None;
+    let mut link_elements = LinkElements::default();
     if let Some(linkage) = linkage {
         let bodies = rigid_bodies::bodies(&linkage);
         let drawing = drawing::drawing(&definition, &linkage);
         items = link_items::items(&definition, &linkage, &bodies, &drawing, diagnostics);
         links = Some(inventory::inventory(&linkage, &bodies, &drawing));
+        link_elements = elements::elements(&linkage, &bodies, &drawing);
         renamed = mechanics::renamed_bodies(&linkage, &bodies);
     }
     if !diagnostics.is_empty() {
         items = lost::items(&definition);
+        link_elements = LinkElements::default();
     }
     let after = definition.items.split_off(last + 1);
     definition.items.extend(items);
@@ -83,5 +88,6 @@ fn expand_mechanism(
     definition.items.retain(|item| !is_linked(item));
     mechanics::rename(&mut definition, &renamed);
     definition.links = links;
+    definition.link_elements = link_elements;
     definition
 }

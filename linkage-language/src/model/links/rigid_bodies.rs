@@ -16,6 +16,14 @@ pub(super) struct Body {
     pub(super) joints: Vec<usize>,
 }
 
+impl Bodies {
+    /// Returns the joint that the bodies of two links share.
+    pub(super) fn shared_joint(&self, one: usize, other: usize) -> Option<usize> {
+        let [one, other] = [one, other].map(|link| &self.list[self.of_link[link]].joints);
+        one.iter().copied().find(|joint| other.contains(joint))
+    }
+}
+
 impl Body {
     /// Returns the link that gives the body its axes and its name.
     pub(super) fn lead(&self) -> usize {

@@ -16,18 +16,22 @@ pub(super) fn items(sheet: &Sheet) -> Vec<Item> {
 
 fn relation(sheet: &Sheet, pair: &Wheels) -> Item {
     let [first, second] = pair.wheels.map(|wheel| turned(sheet, pair, wheel));
-    let [one, other] = pair.sizes.clone();
-    let ratio = quotient(one, other);
-    let ratio = if pair.reverses {
-        negative(ratio)
-    } else {
-        ratio
-    };
     let of = LinkLoop::Wheels(
         pair.wheels
             .map(|link| sheet.linkage.links[link].name.to_string()),
     );
-    equation(second, product(ratio, first), of, pair.item.span)
+    equation(second, product(ratio(pair), first), of, pair.item.span)
+}
+
+/// Returns the turns of the second wheel for one turn of the first, as seen from the carrier.
+pub(super) fn ratio(pair: &Wheels) -> Expr {
+    let [one, other] = pair.sizes.clone();
+    let ratio = quotient(one, other);
+    if pair.reverses {
+        negative(ratio)
+    } else {
+        ratio
+    }
 }
 
 /// Returns the turn of a wheel since the reference, seen from the carrier.

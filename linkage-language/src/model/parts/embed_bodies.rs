@@ -1,7 +1,10 @@
-//! Bodies, joints, loads and arcs of a part, in the frame and with the numbers of the mechanism around.
+//! Bodies, joints, loads, arcs and links of a part, in the frame and with the numbers of the mechanism around.
 
 use super::embed::Embedding;
-use crate::model::types::{Arc, Between, Body, Element, Expr, Inertia, Joint, Load};
+use crate::model::types::{
+    Arc, Between, Body, Element, Expr, Inertia, Joint, LinkElements, Load, PairOfWheels,
+    PairedWheel, RigidLink,
+};
 
 /// Numbers of bodies and joints of a part in the mechanism around it.
 #[derive(Clone, Copy)]
@@ -95,6 +98,26 @@ impl Embedding<'_> {
             centre: self.point(&arc.centre),
             direction: self.vector(&arc.direction),
         })
+    }
+
+    pub(in crate::model) fn link_elements(&self) -> LinkElements {
+        let elements = &self.body.mechanism().link_elements;
+        let links = elements.links.iter().map(|link| RigidLink {
+            name: self.text(&link.name),
+            joints: link.joints.iter().map(|joint| self.point(joint)).collect(),
+        });
+        let wheel = |wheel: &PairedWheel| PairedWheel {
+            centre: self.point(&wheel.centre),
+            direction: wheel.direction.as_ref().map(|vector| self.vector(vector)),
+        };
+        let pairs = elements.pairs.iter().map(|pair| PairOfWheels {
+            wheels: pair.wheels.each_ref().map(wheel),
+            touch: pair.touch,
+        });
+        LinkElements {
+            links: links.collect(),
+            pairs: pairs.collect(),
+        }
     }
 
     pub(in crate::model) fn loads(&self, members: MemberNumbers) -> impl Iterator<Item = Load> {

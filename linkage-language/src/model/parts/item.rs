@@ -128,6 +128,7 @@ pub(in crate::model) fn resolve_part(
     mechanism.leaves.extend(body.leaves(mechanism.loops.len()));
     mechanism.loops.extend(embedding.loops());
     mechanism.arcs.extend(embedding.arcs());
+    mechanism.link_elements.append(embedding.link_elements());
     mechanism.parts.push(embedding.as_part());
     scope.parts.placed.extend(inner);
     for item in lets {

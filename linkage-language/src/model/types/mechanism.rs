@@ -6,6 +6,7 @@ use super::dimension::Dimension;
 use super::expression::{BinaryOp, Expr, ExprKind};
 use super::function_words::Function;
 use super::length_unit::LengthUnit;
+use super::link_elements::LinkElements;
 use super::mechanics::{Body, Element, Joint, Load};
 use super::name::{Name, ScalarParameterId};
 use super::value_type::Type;
@@ -43,6 +44,8 @@ pub struct Mechanism {
     pub evaluators: Vec<EvaluatorDef>,
     /// The joints and links that items stand for.
     pub links: Option<LinkInventory>,
+    /// The links and wheels that pictures show, those of parts included.
+    pub link_elements: LinkElements,
     pub origin: OriginId,
 }
 

@@ -10,6 +10,7 @@ mod expression;
 mod function_words;
 mod joint;
 mod length_unit;
+mod link_elements;
 mod mechanics;
 mod mechanism;
 mod motion_law;
@@ -33,6 +34,7 @@ pub use function_words::{
 };
 pub use joint::Rotation;
 pub use length_unit::LengthUnit;
+pub use link_elements::{LinkElements, PairOfWheels, PairedWheel, RigidLink};
 pub use mechanics::{Between, Body, Element, ElementKind, Inertia, Joint, Load};
 pub use mechanism::{
     Arc, Argument, Constant, EvaluatorDef, Input, Leaf, Let, Loop, Mechanism, MechanismPart,

@@ -1,0 +1,42 @@
+//! Links and wheels as pictures show them.
+
+use super::expression::Expr;
+
+/// The links and pairs of wheels of a mechanism that is written with joints and links.
+#[derive(Clone, Debug, Default)]
+pub struct LinkElements {
+    pub links: Vec<RigidLink>,
+    pub pairs: Vec<PairOfWheels>,
+}
+
+/// A rigid link.
+#[derive(Clone, Debug)]
+pub struct RigidLink {
+    pub name: String,
+    /// Points: at least two.
+    pub joints: Vec<Expr>,
+}
+
+/// Two wheels of the plane that turn each other.
+#[derive(Clone, Debug)]
+pub struct PairOfWheels {
+    pub wheels: [PairedWheel; 2],
+    /// True for gears, which touch; false for a belt.
+    pub touch: bool,
+}
+
+/// A wheel that turns about a point.
+#[derive(Clone, Debug)]
+pub struct PairedWheel {
+    pub centre: Expr,
+    /// A unit vector that turns with it; `None` for a wheel that is fixed.
+    pub direction: Option<Expr>,
+}
+
+impl LinkElements {
+    /// Adds the links and wheels of another mechanism.
+    pub fn append(&mut self, other: Self) {
+        self.links.extend(other.links);
+        self.pairs.extend(other.pairs);
+    }
+}
