@@ -8,12 +8,12 @@ mod closures;
 mod coordinates;
 mod coupling;
 mod declared;
+mod declared_wheels;
 mod driven_joints;
 mod expression_text;
 mod heading;
 mod inertial;
 mod jointed_links;
-
 mod mass;
 mod metres;
 mod minimax;
@@ -24,6 +24,7 @@ mod results;
 mod skeleton;
 mod space_vectors;
 mod urdf;
+mod wheel_relations;
 mod xml;
 
 use clap::Args;
@@ -45,6 +46,7 @@ use mjcf::Equations;
 use options::{Common, allowed};
 use remarks::{Format, closed, missed, remarks};
 use skeleton::{CONSTANTS, ChosenInput, POSITIONS, Skeleton};
+use wheel_relations::relations;
 
 /// A range of an angle this near to a turn has no ends.
 const TURN: f64 = 1e-9;
@@ -103,6 +105,13 @@ fn write(options: &Common, format: Format, errors: &[String]) -> Result<(), Fail
     };
     let ends = options.range(&mechanism, input, skeleton.reference())?;
     let motion = Motion::over(&skeleton, ends, named, options.drive.as_deref())?;
+    let relations = relations(
+        &declared,
+        &mechanism,
+        &assembly,
+        &skeleton,
+        &motion.coordinates,
+    );
     let inertials = inertials(&skeleton);
     let mut remarks = remarks(&declared, &skeleton, &motion, ends, named);
     remarks.extend(inertials.completed(&skeleton));
@@ -126,7 +135,7 @@ fn write(options: &Common, format: Format, errors: &[String]) -> Result<(), Fail
             Some(found)
         }
         false => {
-            closed(&mechanism, &skeleton, &motion)?;
+            closed(&mechanism, &skeleton, &relations, &motion)?;
             remarks.push(
                 "loops are constraints between sites, which meet in this position; MuJoCo's constraints are soft"
                     .to_owned(),
@@ -147,7 +156,7 @@ fn write(options: &Common, format: Format, errors: &[String]) -> Result<(), Fail
         (Format::Mjcf, found) => {
             let closing = match found {
                 Some(found) => Equations::Polynomials(found),
-                None => Equations::Loops,
+                None => Equations::Loops(&relations),
             };
             mjcf::text(
                 &skeleton,

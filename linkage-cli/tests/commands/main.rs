@@ -29,6 +29,7 @@ mod templates;
 mod time;
 mod unbounded;
 mod watched;
+mod wheels;
 
 use std::fs;
 use std::path::{Path, PathBuf};

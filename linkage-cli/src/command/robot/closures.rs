@@ -1,4 +1,4 @@
-//! The joints that close loops as equations between bodies.
+//! The joints that close loops and the wheels, as equations.
 
 use linkage_language::syntax::JointKind;
 
@@ -8,6 +8,7 @@ use super::skeleton::Skeleton;
 use super::space_vectors::{
     Vector, across, cross, difference, dot, product, scaled, transposed, turned,
 };
+use super::wheel_relations::Relation;
 
 /// Steps of the coordinates for derivatives, in radians or parts of the size.
 const STEP: f64 = 1e-5;
@@ -21,14 +22,20 @@ fn normals(axis: Vector) -> [Vector; 2] {
     [first, cross(axis, first)]
 }
 
-/// The number of independent motions that joints and closures leave at the reference.
-pub(super) fn freedoms_left(skeleton: &Skeleton, count: usize, is_length: &[bool]) -> usize {
+/// The number of independent motions that joints, closures and wheels leave at the reference.
+pub(super) fn freedoms_left(
+    skeleton: &Skeleton,
+    relations: &[Relation],
+    count: usize,
+    is_length: &[bool],
+) -> usize {
     let size = skeleton.size();
     let equations = |values: &[f64]| {
         let poses = built(skeleton, values);
         let closures = skeleton.closures.iter();
         let all = closures.flat_map(|closure| residuals(skeleton, closure, &poses, size));
-        all.collect::<Vec<f64>>()
+        let related = relations.iter().map(|relation| relation.sum(values));
+        all.chain(related).collect::<Vec<f64>>()
     };
     let mut columns: Vec<Vec<f64>> = (0..count)
         .map(|index| {

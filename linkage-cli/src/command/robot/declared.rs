@@ -9,8 +9,8 @@ use linkage_language::syntax::{
     BodyItem, Expr, ExprKind, GravityItem, Item, JointKind, JointPart, MechanismDef, parse,
 };
 
+use super::declared_wheels::{DeclaredWheels, declared_wheels};
 use super::expression_text::text;
-
 use crate::failure::Failure;
 
 /// A joint as it is written.
@@ -44,6 +44,7 @@ pub(super) struct Declared {
     pub(super) bodies: Vec<DeclaredBody>,
     /// Joints that close loops, each with its first body.
     pub(super) closures: Vec<(Option<usize>, DeclaredJoint)>,
+    pub(super) wheels: Vec<DeclaredWheels>,
     gravity: Option<String>,
     /// Loads that a description of links and joints has no place for.
     pub(super) loads: Vec<&'static str>,
@@ -96,7 +97,7 @@ impl Declared {
         fields.join(", ")
     }
 
-    /// The quantities of a function that computes what is constant: masses and gravity. Empty if
+    /// The quantities of a function that computes what is constant: masses, ratios of wheels and gravity. Empty if
     /// there are none.
     pub(super) fn constants(&self) -> String {
         let mut fields = Vec::new();
@@ -112,6 +113,9 @@ impl Declared {
                 });
                 fields.extend(numbers);
             }
+        }
+        for (index, pair) in self.wheels.iter().enumerate() {
+            fields.push(format!("{}: {}", field("ratio", index), pair.ratio));
         }
         if let Some(gravity) = &self.gravity {
             fields.push(format!("gravity: {gravity}"));
@@ -243,6 +247,7 @@ fn declared(definition: &MechanismDef) -> Result<Declared, Failure> {
     Ok(Declared {
         bodies: bodies.iter().map(body).collect(),
         closures,
+        wheels: declared_wheels(definition, index_of),
         gravity,
         loads,
     })

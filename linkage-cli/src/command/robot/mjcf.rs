@@ -10,6 +10,7 @@ use super::inertial::{Inertials, block_mass};
 use super::jointed_links::{Closure, Freedom};
 use super::skeleton::Skeleton;
 use super::space_vectors::{AXES, Vector, difference, scaled, sum};
+use super::wheel_relations::{Relation, write_equations, write_tendons};
 use super::xml::{Lines, number, numbers};
 
 /// The second point on the axis of a pin in space, as a part of the size.
@@ -17,8 +18,8 @@ const ALONG_AXIS: f64 = 0.25;
 
 /// The equations between joints or bodies.
 pub(super) enum Equations<'a> {
-    /// Loops as constraints between bodies.
-    Loops,
+    /// Loops as constraints between bodies, and the relations of wheels.
+    Loops(&'a [Relation]),
     /// Joints as polynomials of the driving one.
     Polynomials(&'a [Coupling]),
 }
@@ -73,7 +74,7 @@ impl Model<'_> {
         self.lines.close("body");
         self.lines.close("worldbody");
         match self.closing {
-            Equations::Loops => self.loops(),
+            Equations::Loops(relations) => self.loops(relations),
             Equations::Polynomials(couplings) => self.polynomials(couplings),
         }
         self.lines.close("mujoco");
@@ -81,7 +82,7 @@ impl Model<'_> {
 
     /// Sites, blocks and bodies that are fixed or hang on a body.
     fn on_body(&mut self, body: Option<usize>) {
-        if matches!(self.closing, Equations::Loops) {
+        if matches!(self.closing, Equations::Loops(_)) {
             for closure in &self.skeleton.closures {
                 self.sites(closure, body);
             }
@@ -115,7 +116,7 @@ impl Model<'_> {
 
     fn joints(&mut self, index: usize) {
         let link = &self.skeleton.links[index];
-        if link.freedoms == [Freedom::Ball] && matches!(self.closing, Equations::Loops) {
+        if link.freedoms == [Freedom::Ball] && matches!(self.closing, Equations::Loops(_)) {
             let name = &link.joint;
             self.lines
                 .line(&format!("<joint name=\"{name}\" type=\"ball\"/>"));
@@ -205,10 +206,11 @@ impl Model<'_> {
         }
     }
 
-    fn loops(&mut self) {
-        if self.skeleton.closures.is_empty() {
+    fn loops(&mut self, relations: &[Relation]) {
+        if self.skeleton.closures.is_empty() && relations.is_empty() {
             return;
         }
+        write_tendons(relations, self.coordinates, &mut self.lines);
         self.lines.open("<equality>");
         for closure in &self.skeleton.closures {
             let name = &closure.name;
@@ -224,6 +226,7 @@ impl Model<'_> {
                 ));
             }
         }
+        write_equations(relations, self.coordinates, &mut self.lines);
         self.lines.close("equality");
     }
 

@@ -7,6 +7,7 @@ use super::coupling::Missed;
 use super::declared::Declared;
 use super::driven_joints::{Motion, RunningName};
 use super::skeleton::Skeleton;
+use super::wheel_relations::Relation;
 use crate::failure::Failure;
 
 /// The format, with what its equations between joints can carry.
@@ -80,16 +81,17 @@ pub(super) fn missed(
 pub(super) fn closed(
     mechanism: &Mechanism,
     skeleton: &Skeleton,
+    relations: &[Relation],
     motion: &Motion,
 ) -> Result<(), Failure> {
     let lengths: Vec<bool> = motion.coordinates.iter().map(|c| c.is_length()).collect();
-    let left = freedoms_left(skeleton, lengths.len(), &lengths);
+    let left = freedoms_left(skeleton, relations, lengths.len(), &lengths);
     let spins = (0..skeleton.links.len()).filter(|index| skeleton.spins(*index));
     let expected = mechanism.inputs().len() + spins.count();
     match left > expected {
         false => Ok(()),
         true => Err(Failure::Told(format!(
-            "the declared joints leave {left} independent motions, but the mechanism has {expected}\nhelp: declare the joint that closes each loop, as `pin a = coupler on rocker at p;`; or give `--error`, which couples the joints by polynomials"
+            "the declared joints leave {left} independent motions, but the mechanism has {expected}\nhelp: declare the joint that closes each loop, as `pin a = coupler on rocker at p;`, and write a relation of angles as `gears` or `belt` of joints and links; or give `--error`, which couples the joints by polynomials"
         ))),
     }
 }
