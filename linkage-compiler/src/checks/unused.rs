@@ -83,6 +83,10 @@ fn expressions(mechanism: &Mechanism) -> Vec<&Expr> {
     all.extend(mechanism.lets.iter().map(|item| &item.value));
     let loops = mechanism.loops.iter().chain(&mechanism.redundant);
     all.extend(loops.flat_map(|equation| [&equation.left, &equation.right]));
+    // Pictures draw wheels about their pivots.
+    let wheels = mechanism.link_elements.pairs.iter();
+    let wheels = wheels.flat_map(|pair| &pair.wheels);
+    all.extend(wheels.map(|wheel| &wheel.centre));
     let quantities = mechanism
         .evaluators
         .iter()

@@ -1,6 +1,7 @@
 //! Points, links and wheels of a machine's parts.
 
 use crate::check_all;
+use crate::ir::WheelTurn;
 
 /// Points in which parts meet belong to both; cranks on one shaft are two links, and one that is
 /// called after the shaft is known by its points.
@@ -168,4 +169,52 @@ fn arcs_come_along_with_parts() {
         0.0,
         1.0,
     );
+}
+
+/// Links and wheels of a part have its name, and turn with it.
+#[test]
+fn links_and_wheels_come_along_with_parts() {
+    let text = "
+        struct Geared {
+            unit mm;
+            input phi = 0deg in 0deg..360deg;
+            joint a = (0mm, 0mm), p = (15mm, 0mm), d = (60mm, 0mm), q = (60mm, 25mm);
+            link frame: a, d;
+            link crank: a, p at phi;
+            link wheel: d, q;
+            gears crank, wheel teeth 20, 40;
+        }
+        struct M {
+            unit mm;
+            input shaft = 0deg in 0deg..360deg;
+            part one: Geared { phi = shaft } at (10mm, 20mm) turned by 90deg;
+        }
+        impl M { fn look(shaft) -> Look { shape: picture() } }";
+    let checked = check_all(text.parse().expect("tokens"));
+    let machine = checked.into_iter().next_back().expect("the machine");
+    assert!(machine.messages.is_empty(), "{:#?}", machine.messages);
+    let picture = machine.unit.and_then(|unit| unit.picture);
+    let picture = picture.expect("a picture");
+    let lines = picture.to_string();
+    assert!(lines.contains("link one.crank: one.a, one.p\n"), "{lines}");
+    assert!(lines.contains("link one.wheel: one.d, one.q\n"), "{lines}");
+    assert!(
+        lines.contains("gears: wheels about one.a and one.d\n"),
+        "{lines}"
+    );
+    assert!(
+        lines.contains("part one: one.a, one.p, one.d, one.q; one.crank, one.wheel; \n"),
+        "{lines}"
+    );
+    let [gear] = &picture.gears[..] else {
+        panic!("{lines}")
+    };
+    let directions = gear.turns.map(|turn| match turn {
+        WheelTurn::Direction(direction) => &picture.reference[picture.points.len() + direction][..],
+        WheelTurn::End(_) | WheelTurn::Fixed => panic!("{turn:?}"),
+    });
+    // The wheel is drawn at a right angle to the crank, and the part is turned by another one.
+    for (found, [x, y]) in directions.into_iter().zip([[0.0, 1.0], [-1.0, 0.0]]) {
+        assert!((found[0] - x).hypot(found[1] - y) < 1e-12, "{found:?}");
+    }
 }
