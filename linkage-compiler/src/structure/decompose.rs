@@ -3,9 +3,9 @@
 use crate::algebra::{Names, Nominal};
 use crate::diagnostic::Reporter;
 use crate::model::{Mechanism, unknown_frames};
+use crate::structure::analysis_state::{Analysis, checkpoint, is_open_since, return_to};
 use crate::structure::coupled::{classify_coupled, distance_polynomials};
 use crate::structure::equations::{Coordinate, Equation};
-use crate::structure::fault::StructureFault;
 use crate::structure::form::Form;
 use crate::structure::group::{Group, Structure};
 use crate::structure::mobility_check::MobilityCheck;
@@ -15,31 +15,6 @@ use crate::structure::{
     classify, crossing, eliminate, equations, matching, mobility_check, point, separation,
     triangle, unsolved,
 };
-
-/// The state of the analysis.
-struct Analysis<'a, 'm> {
-    names: &'a mut Names<'m>,
-    nominal: &'a Nominal,
-    /// The groups so far, in the order of their solution.
-    groups: Vec<Group<'m>>,
-    faults: Vec<StructureFault>,
-    reductions: Reductions<'m>,
-    /// The number of reductions so far.
-    steps: usize,
-    /// The number of separations so far.
-    separations: usize,
-}
-
-/// A stage of the analysis, to which it can go back.
-struct Checkpoint {
-    groups: usize,
-    faults: usize,
-    explicit: usize,
-    kept_axes: usize,
-    angles: usize,
-    steps: usize,
-    separations: usize,
-}
 
 /// The systems among which a component can be separated.
 #[derive(Clone, Copy, PartialEq)]
@@ -261,37 +236,6 @@ fn solve_separated<'m>(
         analysis.separations += 1;
         solve(analysis, equations, coordinates, attempt);
     }
-}
-
-fn checkpoint(analysis: &Analysis) -> Checkpoint {
-    Checkpoint {
-        groups: analysis.groups.len(),
-        faults: analysis.faults.len(),
-        explicit: analysis.reductions.explicit.len(),
-        kept_axes: analysis.reductions.kept_axes.len(),
-        angles: analysis.names.angles.len(),
-        steps: analysis.steps,
-        separations: analysis.separations,
-    }
-}
-
-/// True if the component since then is coupled, not solved, or was separated late.
-fn is_open_since(analysis: &Analysis, before: &Checkpoint) -> bool {
-    let groups = &analysis.groups[before.groups..];
-    groups.iter().any(|g| matches!(g.form, Form::Coupled(_)))
-        || analysis.faults.len() > before.faults
-        || analysis.separations > before.separations
-}
-
-fn return_to(analysis: &mut Analysis, before: &Checkpoint) {
-    analysis.groups.truncate(before.groups);
-    analysis.faults.truncate(before.faults);
-    analysis
-        .reductions
-        .truncate(before.explicit, before.kept_axes);
-    analysis.names.angles.truncate(before.angles);
-    analysis.steps = before.steps;
-    analysis.separations = before.separations;
 }
 
 /// Returns the form in which a component is solved as it is; `None` if it has no closed form.

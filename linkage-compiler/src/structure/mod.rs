@@ -14,12 +14,14 @@
 //!    `parallel_direction`;
 //! 4. recognition: `classify`, `point`, `coupled`;
 //! 5. reductions, one step of a coupled set towards known forms: `rewrite`, `double`, `circle`,
-//!    `body`, `body_circle`, chosen by `eliminate`; `cancellation`, `set_unknowns`, `combination` and
-//!    `separation`, which make a coupled set fall apart, and `triangle` and `crossing` above them;
-//! 6. messages: `naming`, `closest_approach`, `simultaneous`, `redundant`, `frames`,
-//!    `link_faults`, `mobility_check`, `unsolved`;
-//! 7. `decompose`, the entry point.
+//!    `body`, `body_circle`, chosen by `eliminate`; `cancellation`, `set_unknowns`, `equation_difference`,
+//!    `combination` and `separation`, which make a coupled set fall apart, and `triangle` and `crossing`
+//!    above them;
+//! 6. messages: `naming`, `closest_approach`, `simultaneous`, `loops_together`, `redundant`,
+//!    `unknown_frame`, `overheld_frame`, `frames`, `link_faults`, `mobility_check`, `unsolved`;
+//! 7. `analysis_state`, and `decompose`, the entry point.
 
+mod analysis_state;
 pub(crate) mod body;
 pub(crate) mod body_circle;
 pub(crate) mod cancellation;
@@ -34,6 +36,7 @@ pub(crate) mod distance;
 pub(crate) mod double;
 pub(crate) mod elements;
 pub(crate) mod eliminate;
+mod equation_difference;
 pub(crate) mod equations;
 pub(crate) mod explicit;
 pub(crate) mod fault;
@@ -41,10 +44,12 @@ pub(crate) mod form;
 pub(crate) mod frames;
 pub(crate) mod group;
 pub(crate) mod link_faults;
+mod loops_together;
 pub(crate) mod matching;
 pub(crate) mod mobility_check;
 pub(crate) mod naming;
 mod nearly_redundant;
+mod overheld_frame;
 pub(crate) mod parallel_direction;
 pub(crate) mod point;
 pub(crate) mod polynomials;
@@ -57,6 +62,7 @@ pub(crate) mod set_unknowns;
 pub(crate) mod simultaneous;
 pub(crate) mod space;
 pub(crate) mod triangle;
+mod unknown_frame;
 pub(crate) mod unsolved;
 
 pub(crate) use coupled::group::{Block, Core, Coupled, Private, Product};

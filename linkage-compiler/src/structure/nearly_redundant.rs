@@ -10,9 +10,8 @@ use crate::message_format::loop_names;
 use crate::model::Mechanism;
 use crate::structure::equations::{Coordinate, CoordinateKind, Equation};
 use crate::structure::link_faults;
-use crate::structure::redundant::{
-    RedundantLoops, coordinates_of_one, positions, simultaneous_loops,
-};
+use crate::structure::loops_together::{positions, simultaneous_loops};
+use crate::structure::redundant::{RedundantLoops, coordinates_of_one};
 use crate::structure::simultaneous::{SimultaneousLoops, largest};
 
 /// Loops that miss by more than this share of the longest link are not meant to close.

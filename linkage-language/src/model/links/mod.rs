@@ -5,6 +5,7 @@
 //! `collect` finds what the names mean, `rigid_bodies` joins links that are one body, `order` decides from
 //! which joint each body is reached and where loops close, and `link_items` writes the items.
 
+mod ball_links;
 mod collect;
 mod curved_slots;
 mod drawing;
@@ -22,6 +23,7 @@ mod rigid_bodies;
 mod sheet;
 mod slides;
 mod space;
+mod space_progress;
 mod wheels;
 
 use std::collections::BTreeMap;

@@ -13,6 +13,7 @@ mod length_unit;
 mod link_elements;
 mod mechanics;
 mod mechanism;
+mod mechanism_part;
 mod motion_law;
 mod name;
 mod parts_of_frame;
@@ -37,9 +38,10 @@ pub use length_unit::LengthUnit;
 pub use link_elements::{LinkElements, PairOfWheels, PairedWheel, RigidLink};
 pub use mechanics::{Between, Body, Element, ElementKind, Inertia, Joint, Load};
 pub use mechanism::{
-    Arc, Argument, Constant, EvaluatorDef, Input, Leaf, Let, Loop, Mechanism, MechanismPart,
-    Parameter, Placed, Quantity, ScalarParameter, Unknown,
+    Arc, Argument, Constant, EvaluatorDef, Input, Let, Loop, Mechanism, Parameter, Quantity,
+    ScalarParameter, Unknown,
 };
+pub use mechanism_part::{Leaf, MechanismPart, Placed};
 pub use motion_law::{
     Ends, HIGHEST_SLOPE, Law, MotionLawKind, Pieces, Repeating, Repeats, SplineWord,
 };
