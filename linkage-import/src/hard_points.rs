@@ -11,18 +11,15 @@ mod wheel_travel;
 
 use std::fmt::Write;
 
+use crate::Import;
 use crate::error::ImportError;
 use crate::names::{in_comment, shown, type_name};
 use crate::options::Options;
 use axes::Meaning;
 use suspension::Suspension;
 
-/// Reads a table and writes it as a mechanism. Returns the text and the warnings.
-pub(crate) fn import(
-    content: &[u8],
-    file: &str,
-    options: &Options,
-) -> Result<(String, Vec<String>), ImportError> {
+/// Reads a table and writes it as a mechanism.
+pub(crate) fn import(content: &[u8], file: &str, options: &Options) -> Result<Import, ImportError> {
     let text = std::str::from_utf8(content)
         .map_err(|_| ImportError::new("the file is no text in UTF-8"))?;
     let text = text.trim_start_matches('\u{feff}');
@@ -91,7 +88,11 @@ pub(crate) fn import(
     let text = format!(
         "{out}\n}}\n\nimpl {name} {{\n    /// Points, and what depends on the travel of the wheel.\n    pub fn motion(travel) -> Motion {{ {quantities} }}\n\n    /// The links, for the drawing.\n    pub fn shape(travel) -> Shape {{ shape: picture() }}\n}}\n"
     );
-    Ok((text, warnings))
+    Ok(Import {
+        text,
+        warnings,
+        drawn: suspension.drawn(),
+    })
 }
 
 /// True if a point is in the text.

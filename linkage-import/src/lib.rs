@@ -9,8 +9,10 @@
 mod page {}
 
 mod choose;
+mod courses;
 mod csv_lines;
 mod document;
+mod drawn;
 mod error;
 mod format;
 mod hard_points;
@@ -30,17 +32,20 @@ mod xml;
 
 use document::Document;
 
+pub use drawn::{Drawn, DrawnPoint, Drive, Measure};
 pub use error::ImportError;
 pub use format::Format;
 pub use options::Options;
 
 /// A mechanism that was read from a file of another program.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Import {
     /// The text of a file with one mechanism.
     pub text: String,
     /// Everything that could not be taken, or should be confirmed, one sentence each.
     pub warnings: Vec<String>,
+    /// The pose of the file, to be compared with the assembled mechanism.
+    pub drawn: Drawn,
 }
 
 /// Returns the mechanism of a file as text, with joints and links.
@@ -57,6 +62,12 @@ pub fn import(content: &[u8], name: &str, options: &Options) -> Result<Import, I
         Some(format) => format,
         None => Format::detected(content, name)?,
     };
+    if options.closures.is_some() && format != Format::Urdf {
+        return Err(ImportError::new(format!(
+            "a file of the format `{}` takes no table of closures\nhelp: only URDF is a tree whose loops are closed elsewhere",
+            format.name()
+        )));
+    }
     let document = match format {
         Format::Linkage => linkage2::read(content)?,
         Format::Pmks => pmks::read(content, name)?,
@@ -64,13 +75,9 @@ pub fn import(content: &[u8], name: &str, options: &Options) -> Result<Import, I
         Format::Pylinkage => pylinkage::read(content)?,
         Format::JointTable => joint_table::read(content)?,
         Format::Mjcf | Format::Urdf | Format::Sdf => {
-            let (text, warnings) = robots::import(content, format, name, options)?;
-            return Ok(Import { text, warnings });
+            return robots::import(content, format, name, options);
         }
-        Format::HardPoints => {
-            let (text, warnings) = hard_points::import(content, name, options)?;
-            return Ok(Import { text, warnings });
-        }
+        Format::HardPoints => return hard_points::import(content, name, options),
     };
     written(document, name, options)
 }
@@ -106,9 +113,10 @@ fn written(mut document: Document, name: &str, options: &Options) -> Result<Impo
     };
     let type_name = names::type_name(called);
     let file = if is_address { "an address" } else { file };
-    let text = writer::text(&mut document, &type_name, file);
+    let (text, drawn) = writer::text(&mut document, &type_name, file);
     Ok(Import {
         text,
+        drawn,
         warnings: document.warnings,
     })
 }

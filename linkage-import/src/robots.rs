@@ -6,12 +6,15 @@
 mod analysis;
 mod attribute_numbers;
 mod chain;
+mod effort;
+mod equations;
 mod input_ranges;
 mod mjcf;
 mod model;
 mod motion_plane;
 mod placement;
 mod planar;
+mod pose;
 mod rod_bodies;
 mod sdf;
 mod spatial;
@@ -21,6 +24,7 @@ mod wording;
 
 use std::fmt::Write;
 
+use crate::Import;
 use crate::error::ImportError;
 use crate::format::Format;
 use crate::names::{in_comment, shown, type_name};
@@ -34,20 +38,20 @@ use motion_plane::Plane;
 pub(crate) use placement::{Placement, Vector, cross, difference, dot, length, normals, unit};
 use wording::{Sections, Wording};
 
-/// Reads a robot and writes it as a mechanism. Returns the text and the warnings.
+/// Reads a robot and writes it as a mechanism.
 pub(crate) fn import(
     content: &[u8],
     format: Format,
     file: &str,
     options: &Options,
-) -> Result<(String, Vec<String>), ImportError> {
+) -> Result<Import, ImportError> {
     let text = std::str::from_utf8(content)
         .map_err(|_| ImportError::new("the file is no text in UTF-8"))?;
     let root = xml::read(text)?;
     let robot = match format {
         Format::Mjcf => mjcf::read(&root)?,
         Format::Sdf => sdf::read(&root)?,
-        _ => urdf::read(&root)?,
+        _ => urdf::read(&root, options.closures.as_deref())?,
     };
     if robot.bodies.len() < 2 {
         return Err(ImportError::new(
@@ -88,7 +92,11 @@ pub(crate) fn import(
         chain.plane,
         &warnings,
     );
-    Ok((text, warnings))
+    Ok(Import {
+        text,
+        warnings,
+        drawn: pose::drawn(&wording, &sections),
+    })
 }
 
 /// Names what is not used.

@@ -3,21 +3,25 @@
 use std::fmt::Write;
 
 use crate::document::Document;
+use crate::drawn::Drawn;
 use crate::names::{in_comment, shown};
 use crate::number::{plain, short};
 
+mod drive;
 mod driven;
+mod motors;
 mod parts;
+mod pose;
 mod sizes;
 mod spelling;
 mod wrapped;
 
-use driven::Drive;
+use drive::Drive;
 use spelling::Spelling;
 use wrapped::{COLUMNS, comment};
 
-/// Returns the text, and adds warnings about ranges to those of the document.
-pub(crate) fn text(document: &mut Document, name: &str, file: &str) -> String {
+/// Returns the text with its drawn pose, and adds warnings about ranges to those of the document.
+pub(crate) fn text(document: &mut Document, name: &str, file: &str) -> (String, Drawn) {
     let spelling = Spelling::new(document);
     let drives = driven::drives(document, &spelling);
     confirm(document);
@@ -38,7 +42,7 @@ pub(crate) fn text(document: &mut Document, name: &str, file: &str) -> String {
     parts::loads(document, &spelling, &drives, &mut text);
     text += "}\n";
     functions(document, &spelling, &drives, name, &mut text);
-    text
+    (text, pose::drawn(document, &spelling, &drives))
 }
 
 /// The largest distance shows a wrong unit at once.
@@ -108,7 +112,8 @@ fn functions(
     let joints = 0..document.joints.len();
     let moving = joints.filter(|joint| !document.is_fixed(*joint));
     let moving: Vec<&str> = moving.map(|joint| &spelling.joints[joint][..]).collect();
-    let inputs: Vec<&str> = drives.iter().map(|drive| &drive.name[..]).collect();
+    let inputs = drives.iter().filter(|drive| drive.leader.is_none());
+    let inputs: Vec<&str> = inputs.map(|drive| &drive.name[..]).collect();
     let inputs = inputs.join(", ");
     let _ = writeln!(text, "\nimpl {name} {{");
     if !moving.is_empty() {

@@ -31,7 +31,7 @@ impl Suspension {
         ));
         self.lets
             .push(format!("let {role} = point_in({frame}, {arm}_{role});"));
-        self.quantities.push(role.to_owned());
+        self.quantity(role, at);
         let outer = Outer::Wishbone {
             front: front_at,
             rear: rear_at,
@@ -81,7 +81,7 @@ impl Suspension {
         self.lets.push(format!(
             "let {role} = rocker_pivot + turn(rocker_{role}, rocker_axis - rocker_pivot, rocker);"
         ));
-        self.quantities.push(role.to_owned());
+        self.quantity(role, at);
         Some(at)
     }
 

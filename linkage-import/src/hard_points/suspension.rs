@@ -4,6 +4,7 @@ use super::axes::Meaning;
 use super::rocker::Rocker;
 use super::roles::Points;
 use super::wheel_travel::{Hold, reach};
+use crate::drawn::{Drawn, DrawnPoint, Drive, Measure};
 use crate::error::ImportError;
 use crate::number::plain;
 use crate::robots::{Placement, Vector, difference, length, normals, unit};
@@ -23,6 +24,8 @@ pub(super) struct Suspension {
     pub(super) loops: Vec<String>,
     pub(super) quantities: Vec<String>,
     pub(super) warnings: Vec<String>,
+    /// The quantities that are points, where they are drawn.
+    points: Vec<(String, Vector)>,
     holds: Vec<Hold>,
     pub(super) rocker: Option<Rocker>,
     unit: &'static str,
@@ -81,7 +84,7 @@ impl Suspension {
         suspension
             .lets
             .push("let wheel_centre = carrier.origin;".to_owned());
-        suspension.quantities.push("wheel_centre".to_owned());
+        suspension.quantity("wheel_centre", centre);
         let rods: &[RodRoles] = match points.kind {
             "five rods" => &RODS,
             "strut" => &STRUT,
@@ -97,6 +100,38 @@ impl Suspension {
         suspension.rocker(points)?;
         suspension.damper(points);
         Ok(suspension)
+    }
+
+    /// Adds a point that moves to the quantities.
+    pub(super) fn quantity(&mut self, role: &str, at: Vector) {
+        self.quantities.push(role.to_owned());
+        self.points.push((role.to_owned(), at));
+    }
+
+    /// The drawn pose; the travel shifts the wheel centre.
+    pub(super) fn drawn(&self) -> Drawn {
+        let points = self.points.iter().map(|(name, position)| DrawnPoint {
+            name: name.clone(),
+            position: *position,
+            is_fixed: false,
+        });
+        let travel = Drive {
+            input: "travel".to_owned(),
+            rate: 1.0,
+            measure: Measure::Shift {
+                point: 0,
+                origin: None,
+                along: [0.0, 0.0, 1.0],
+                base: None,
+            },
+        };
+        Drawn {
+            function: "motion",
+            unit: self.unit,
+            band: 0.0,
+            points: points.collect(),
+            drives: vec![travel],
+        }
     }
 
     /// The input, with the range in which the carrier is held.
@@ -162,7 +197,7 @@ impl Suspension {
                 "param carrier_{role} = {local};    // from the wheel centre"
             ));
             self.lets.push(line);
-            self.quantities.push(role.to_owned());
+            self.quantity(role, at);
         }
         Some(at)
     }

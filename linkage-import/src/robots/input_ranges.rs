@@ -1,7 +1,8 @@
 //! How far inputs go: the robot is moved from its drawn position until a loop opens.
 
 use super::analysis::Analysis;
-use super::chain::{Chain, Equation, Pose};
+use super::chain::{Chain, Pose};
+use super::equations::Equation;
 use super::placement::{Vector, difference, length};
 
 /// Newton steps for a position, and the error that is none.
@@ -150,6 +151,9 @@ fn pivot(chain: &Chain, analysis: &Analysis, rows: &[Equation]) -> f64 {
 /// The step of all coordinates but the inputs that closes the needed equations, and the smallest
 /// pivot.
 fn solved(chain: &Chain, analysis: &Analysis, rows: &[Equation]) -> Option<(Vec<f64>, f64)> {
+    if !analysis.effort.step(rows.len()) {
+        return None;
+    }
     let free: Vec<usize> = (0..chain.coordinates.len())
         .filter(|index| {
             let coordinate = &chain.coordinates[*index];

@@ -159,7 +159,13 @@ impl Writer<'_, '_> {
                 self.turns[body] = Some(format!("{name}.angle"));
             }
         }
-        self.sections.quantities.push(pivot);
+        let bodies = match joint.motion {
+            Motion::Slide(_) => vec![body],
+            Motion::Hinge(_) | Motion::Ball | Motion::Free | Motion::Fixed => {
+                vec![body, joint.parent]
+            }
+        };
+        self.sections.point(pivot, bodies, joint.at);
         if let Some(turn) = &self.turns[body]
             && !turn.contains('.')
             && !self.sections.quantities.contains(turn)
@@ -208,7 +214,8 @@ impl Writer<'_, '_> {
                     crate::names::shown(&closure.name)
                 ));
             }
-            self.sections.quantities.push(first);
+            self.sections
+                .point(first, vec![closure.bodies[0]], closure.at[0]);
         }
     }
 

@@ -279,13 +279,12 @@ fn close(
             )));
         }
     };
-    robot.closures.push(Closure {
+    robot.close(Closure {
         name: name.to_owned(),
         closing,
         bodies,
         at: [at; 2],
-    });
-    Ok(())
+    })
 }
 
 fn add_mass(

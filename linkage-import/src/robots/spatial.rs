@@ -141,7 +141,13 @@ impl Writer<'_, '_> {
                 }
             }
         }
-        self.sections.quantities.push(pivot);
+        let bodies = match joint.motion {
+            Motion::Slide(_) => vec![body],
+            Motion::Hinge(_) | Motion::Ball | Motion::Free | Motion::Fixed => {
+                vec![body, joint.parent]
+            }
+        };
+        self.sections.point(pivot, bodies, joint.at);
     }
 
     fn closure(&mut self, index: usize) {
@@ -169,7 +175,8 @@ impl Writer<'_, '_> {
             self.closing_joints
                 .push(format!("ball {name} = {rod_name} on {other} at {end};"));
             self.rod_ends.insert(rod.body, end.clone());
-            self.sections.quantities.push(end);
+            let (body, at) = rod.ends[1];
+            self.sections.point(end, vec![body], at);
             return;
         }
         let [a, b] = closure.bodies;
@@ -221,6 +228,7 @@ impl Writer<'_, '_> {
         self.closing_joints.push(format!(
             "{kind} {name} = {one} on {other} at {second}{clause};"
         ));
-        self.sections.quantities.push(first);
+        self.sections
+            .point(first, vec![closure.bodies[0]], closure.at[0]);
     }
 }

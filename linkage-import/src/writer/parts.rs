@@ -5,7 +5,7 @@ use std::fmt::Write;
 use crate::document::{Document, FRAME, InputKind, Load, PlacedLoad, SlotPath};
 use crate::number::plain;
 
-use super::driven::Drive;
+use super::drive::Drive;
 use super::sizes;
 use super::spelling::Spelling;
 
@@ -88,7 +88,7 @@ pub(super) fn links(document: &Document, spelling: &Spelling, drives: &[Drive], 
 }
 
 /// Returns the joints of a link as they are written: a crank begins at its pivot.
-fn ordered(document: &Document, drives: &[Drive], index: usize) -> Vec<usize> {
+pub(super) fn ordered(document: &Document, drives: &[Drive], index: usize) -> Vec<usize> {
     let mut joints = document.links[index].joints.clone();
     joints.retain(|joint| index != FRAME || !joins_nothing(document, *joint));
     for drive in drives {
