@@ -1,5 +1,6 @@
 //! The pose in which a file draws its mechanism, for the comparison with the assembled one.
 
+use crate::number::short_length;
 use crate::robots::{Vector, difference, dot, length, normals};
 
 /// The part of the size that rounding takes, beside that of the file.
@@ -120,6 +121,28 @@ impl Drawn {
             } => both_ends * (1.0 + arm([point, base[0]]) / arm(base)),
             Measure::Distance(_) | Measure::Shift { base: None, .. } => both_ends,
         }
+    }
+
+    /// Returns a sentence with the largest distance, which shows a wrong unit at once.
+    pub(crate) fn confirmation(&self) -> Option<String> {
+        let pairs =
+            (0..self.points.len()).flat_map(|second| (0..second).map(move |first| (first, second)));
+        let distances = pairs.map(|(first, second)| {
+            let [first, second] = [first, second].map(|index| &self.points[index]);
+            (
+                first,
+                second,
+                length(difference(first.position, second.position)),
+            )
+        });
+        let (first, second, distance) = distances.max_by(|a, b| a.2.total_cmp(&b.2))?;
+        Some(format!(
+            "the largest distance, of `{}` and `{}`, is {}{}: confirm it",
+            first.name,
+            second.name,
+            short_length(distance),
+            self.unit
+        ))
     }
 
     /// Returns the largest distance of a point from the first one.

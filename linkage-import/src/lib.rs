@@ -27,6 +27,7 @@ mod pylinkage;
 mod pyslvs;
 mod robots;
 mod tidy;
+mod wrapped;
 mod writer;
 mod xml;
 
@@ -103,8 +104,8 @@ fn written(mut document: Document, name: &str, options: &Options) -> Result<Impo
     choose::missing(&mut document);
     tidy::drop_dangling_links(&mut document);
     let is_address = name.contains("://");
-    let file = name.rsplit(['/', '\\']).next().unwrap_or_default();
-    let stem = file.split_once('.').map_or(file, |parts| parts.0);
+    let file = names::file(name);
+    let stem = names::stem(name);
     let called = match &options.mechanism {
         Some(mechanism) => mechanism,
         None if !document.name.trim().is_empty() => &document.name,

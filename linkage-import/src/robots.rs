@@ -14,6 +14,7 @@ mod model;
 mod motion_plane;
 mod placement;
 mod planar;
+mod planar_bodies;
 mod pose;
 mod rod_bodies;
 mod sdf;
@@ -27,15 +28,19 @@ use std::fmt::Write;
 use crate::Import;
 use crate::error::ImportError;
 use crate::format::Format;
-use crate::names::{in_comment, shown, type_name};
+use crate::names::{file as file_name, in_comment, shown, type_name};
+use crate::number::plain;
 use crate::options::Options;
+use crate::wrapped::{comment, warnings_as_comments};
 use crate::xml;
 use analysis::analyse;
 use chain::Chain;
 use input_ranges::moves;
 use model::Robot;
 use motion_plane::Plane;
-pub(crate) use placement::{Placement, Vector, cross, difference, dot, length, normals, unit};
+pub(crate) use placement::{
+    Placement, Vector, cross, difference, dot, length, normals, scaled, sum, unit,
+};
 use wording::{Sections, Wording};
 
 /// Reads a robot and writes it as a mechanism.
@@ -80,8 +85,10 @@ pub(crate) fn import(
     let of_shape = analysis.inputs.iter().zip(&inputs);
     let of_shape = of_shape.filter(|(index, _)| moves(&chain, &analysis, **index, &sections.drawn));
     let of_shape: Vec<&str> = of_shape.map(|(_, name)| *name).collect();
+    let drawn = pose::drawn(&wording, &sections);
     let mut warnings = robot.warnings.clone();
     warnings.extend(sections.warnings.iter().cloned());
+    warnings.extend(drawn.confirmation());
     warnings.extend(left_out(&robot));
     let text = written(
         &robot,
@@ -95,7 +102,7 @@ pub(crate) fn import(
     Ok(Import {
         text,
         warnings,
-        drawn: pose::drawn(&wording, &sections),
+        drawn,
     })
 }
 
@@ -121,18 +128,20 @@ fn written(
     plane: Option<Plane>,
     warnings: &[String],
 ) -> String {
-    let mut text = format!("// From {}.\n", in_comment(&shown(file)));
+    let mut text = format!("// From {}.\n", in_comment(&shown(file_name(file))));
     if let Some(plane) = plane {
-        let [x, y] = plane.axes.map(|axis| format!("{axis:?}"));
-        let _ = writeln!(
-            text,
-            "// All hinges are parallel: x is {x} of the file, y is {y}. Distances across are left out."
+        let [x, y] = plane
+            .axes
+            .map(|axis| format!("({})", axis.map(plain).join(", ")));
+        let words = format!(
+            "All hinges are parallel: x is {x} of the file, y is {y}. Distances across are left out."
         );
+        comment(&mut text, "// ", &words);
     }
-    text += "// Angles and shifts are from the drawn position, where all joints of the file are zero.\n";
-    for warning in warnings {
-        let _ = writeln!(text, "// {}", in_comment(warning));
-    }
+    let words =
+        "Angles and shifts are from the drawn position, where all joints of the file are zero.";
+    comment(&mut text, "// ", words);
+    warnings_as_comments(&mut text, warnings);
     let title = in_comment(&shown(&robot.name));
     let _ = writeln!(text, "\n/// {title}\npub struct {name} {{\n    unit m;");
     for lines in [

@@ -5,7 +5,7 @@ use std::fmt::Write;
 use crate::document::Document;
 use crate::drawn::Drawn;
 use crate::names::{in_comment, shown};
-use crate::number::{plain, short};
+use crate::number::{short, short_length};
 
 mod drive;
 mod driven;
@@ -14,11 +14,10 @@ mod parts;
 mod pose;
 mod sizes;
 mod spelling;
-mod wrapped;
 
+use crate::wrapped::{COLUMNS, comment, warnings_as_comments};
 use drive::Drive;
 use spelling::Spelling;
-use wrapped::{COLUMNS, comment};
 
 /// Returns the text with its drawn pose, and adds warnings about ranges to those of the document.
 pub(crate) fn text(document: &mut Document, name: &str, file: &str) -> (String, Drawn) {
@@ -57,16 +56,6 @@ fn confirm(document: &mut Document) {
     }
 }
 
-/// A length with four digits or more.
-fn short_length(length: f64) -> String {
-    if length >= 1000.0 {
-        format!("{length:.0}")
-    } else {
-        let decimals = (3.0 - length.max(1e-9).log10().floor()).clamp(0.0, 12.0) as usize;
-        plain(format!("{length:.decimals$}").parse().unwrap_or(length))
-    }
-}
-
 fn heading(document: &Document, file: &str) -> String {
     let mut text = String::new();
     let file = in_comment(&file.chars().take(60).collect::<String>());
@@ -92,12 +81,7 @@ fn heading(document: &Document, file: &str) -> String {
         let note = format!("Each coordinate may be wrong by {band}{unit}: no length is exact.");
         comment(&mut text, "// ", &note);
     }
-    if !document.warnings.is_empty() {
-        text += "//\n// Not taken, or to be confirmed:\n";
-    }
-    for warning in &document.warnings {
-        comment(&mut text, "// - ", &in_comment(warning));
-    }
+    warnings_as_comments(&mut text, &document.warnings);
     text
 }
 

@@ -4,11 +4,11 @@ use crate::courses::{Course, courses};
 use crate::document::{Document, InputKind, SlotPath};
 use crate::mobility;
 use crate::number::plain;
+use crate::wrapped::comment;
 
 use super::drive::{Drive, inside, line, rounded};
 use super::motors::{crank, following};
 use super::spelling::Spelling;
-use super::wrapped::comment;
 
 /// The range to each side of the drawing that is written where none is known, as a part of the size.
 const SMALL_PART: f64 = 0.05;

@@ -92,3 +92,8 @@ fn the_page_of_drawings_shows_what_is_written() {
 fn the_page_of_robots_shows_what_is_written() {
     shows("from-your-files/robots.md", 3);
 }
+
+#[test]
+fn the_page_of_suspensions_shows_what_is_written() {
+    shows("from-your-files/hard-points.md", 1);
+}

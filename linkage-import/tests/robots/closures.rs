@@ -9,14 +9,14 @@ use crate::{file, imported};
 const FOUR_BAR: &str = "name,kind,link1,x1,y1,z1,link2,x2,y2,z2\n\
     closing,ball,coupler,0.2,0,0,rocker,0.04106729782512121,-0.08910404133226792,0.01\n";
 
-/// A crank, a rod and a block, which nothing guides.
+/// A crank, a rod and a ram, which nothing guides.
 const CRANK: &str = "<robot name=\"press\">\
-    <link name=\"base\"/><link name=\"crank\"/><link name=\"rod\"/><link name=\"block\"/>\
+    <link name=\"base\"/><link name=\"crank\"/><link name=\"rod\"/><link name=\"ram\"/>\
     <joint name=\"motor\" type=\"continuous\"><parent link=\"base\"/><child link=\"crank\"/>\
     <axis xyz=\"0 0 1\"/></joint>\
     <joint name=\"knee\" type=\"continuous\"><parent link=\"crank\"/><child link=\"rod\"/>\
     <origin xyz=\"0.1 0 0\"/><axis xyz=\"0 0 1\"/></joint>\
-    <joint name=\"wrist\" type=\"continuous\"><parent link=\"rod\"/><child link=\"block\"/>\
+    <joint name=\"wrist\" type=\"continuous\"><parent link=\"rod\"/><child link=\"ram\"/>\
     <origin xyz=\"0.3 0 0\"/><axis xyz=\"0 0 1\"/></joint></robot>";
 
 fn closed(urdf: &str, table: &str) -> Result<Import, String> {
@@ -60,12 +60,24 @@ fn a_table_is_the_loop_of_the_file() {
 
 /// A slide on the base: the stroke of a slider-crank.
 #[test]
-fn a_slide_guides_a_block() {
+fn a_slide_guides_a_ram() {
     let table = "name,kind,link1,x1,y1,z1,link2,axis_x,axis_y,axis_z\n\
-                 track,slide,block,0,0,0,base,1,0,0\n";
+                 track,slide,ram,0,0,0,base,1,0,0\n";
     let imported = closed(CRANK, table).expect("a mechanism");
-    let mechanism = Mechanism::compile(&imported.text)
-        .unwrap_or_else(|error| panic!("{error}\n{}", imported.text));
+    // A load on the ram, whose guide takes what is across.
+    let end = imported
+        .text
+        .find("}\n\nimpl Press {")
+        .expect("the end of the struct");
+    let (items, functions) = imported.text.split_at(end);
+    let load = "    force (-100N, 30N) on ram at at_wrist;\n";
+    let statics = functions.replacen(
+        "impl Press {",
+        "impl Press {\n    pub fn statics(motor_2) -> Statics { torque: torque(motor_2) }",
+        1,
+    );
+    let text = format!("{items}{load}{statics}");
+    let mechanism = Mechanism::compile(&text).unwrap_or_else(|error| panic!("{error}\n{text}"));
     let assembly = mechanism
         .assemble(&mechanism.dimensions())
         .expect("a press");
@@ -75,6 +87,9 @@ fn a_slide_guides_a_block() {
         let (sin, cos) = angle.sin_cos();
         let wanted = 0.1 * cos + (0.09 - 0.01 * sin * sin).sqrt();
         assert!((x - wanted).hypot(y) < 1e-12, "{step}: ({x}, {y})");
+        let slope = -0.1 * sin - 0.01 * sin * cos / (0.09 - 0.01 * sin * sin).sqrt();
+        let torque = assembly.results("statics", &[angle])["torque"];
+        assert!((torque - 100.0 * slope).abs() < 1e-9, "{step}: {torque}");
     }
 }
 
@@ -95,7 +110,7 @@ fn a_hinge_has_its_axis() {
     assert_eq!(hinge.warnings.iter().filter(in_space).count(), 0);
     let items = |text: &str| text[text.find("pub struct").expect("items")..].to_owned();
     assert_eq!(items(&ball.text), items(&hinge.text));
-    let unknown = closed(CRANK, "kind,link1,x1,y1,z1,link2\nglue,block,0,0,0,base\n");
+    let unknown = closed(CRANK, "kind,link1,x1,y1,z1,link2\nglue,ram,0,0,0,base\n");
     assert_eq!(
         unknown.expect_err("no kind"),
         "line 2: there is no kind `glue`; there are `ball`, `hinge`, `slide` and `weld`"
@@ -141,7 +156,7 @@ fn mistakes_of_a_table_have_messages() {
     );
     let found = closed(
         CRANK,
-        "kind,link1,x1,y1,z1,link2,colour\nball,block,0,0,0,base,red\n",
+        "kind,link1,x1,y1,z1,link2,colour\nball,ram,0,0,0,base,red\n",
     );
     let found = found.expect("a mechanism").warnings;
     assert!(
