@@ -1,7 +1,7 @@
 //! The pose in which a file draws its mechanism, for the comparison with the assembled one.
 
 use crate::number::short_length;
-use crate::robots::{Vector, difference, dot, length, normals};
+use crate::placement::{Vector, difference, dot, length, normals};
 
 /// The part of the size that rounding takes, beside that of the file.
 const ROUNDING: f64 = 1e-9;

@@ -13,8 +13,8 @@ mod wheel_travel;
 
 use std::fmt::Write;
 
-use crate::Import;
 use crate::error::ImportError;
+use crate::imported::Import;
 use crate::names::{file as file_name, in_comment, shown, stem, type_name};
 use crate::number::short;
 use crate::options::Options;

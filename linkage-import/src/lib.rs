@@ -9,19 +9,21 @@
 mod page {}
 
 mod choose;
-mod courses;
 mod csv_lines;
 mod document;
 mod drawn;
+mod driven_motions;
 mod error;
 mod format;
 mod hard_points;
+mod imported;
 mod joint_table;
 mod linkage2;
 mod mobility;
 mod names;
 mod number;
 mod options;
+mod placement;
 mod pmks;
 mod pylinkage;
 mod pyslvs;
@@ -36,18 +38,8 @@ use document::Document;
 pub use drawn::{Drawn, DrawnPoint, Drive, Measure};
 pub use error::ImportError;
 pub use format::Format;
+pub use imported::Import;
 pub use options::Options;
-
-/// A mechanism that was read from a file of another program.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Import {
-    /// The text of a file with one mechanism.
-    pub text: String,
-    /// Everything that could not be taken, or should be confirmed, one sentence each.
-    pub warnings: Vec<String>,
-    /// The pose of the file, to be compared with the assembled mechanism.
-    pub drawn: Drawn,
-}
 
 /// Returns the mechanism of a file as text, with joints and links.
 ///

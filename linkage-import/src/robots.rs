@@ -12,7 +12,6 @@ mod input_ranges;
 mod mjcf;
 mod model;
 mod motion_plane;
-mod placement;
 mod planar;
 mod planar_bodies;
 mod pose;
@@ -20,27 +19,25 @@ mod rod_bodies;
 mod sdf;
 mod spatial;
 mod spatial_bodies;
+mod spatial_closures;
 mod urdf;
 mod wording;
 
 use std::fmt::Write;
 
-use crate::Import;
 use crate::error::ImportError;
 use crate::format::Format;
+use crate::imported::Import;
 use crate::names::{file as file_name, in_comment, shown, type_name};
 use crate::number::plain;
 use crate::options::Options;
-use crate::wrapped::{comment, warnings_as_comments};
+use crate::wrapped::{comment, item, warnings_as_comments};
 use crate::xml;
 use analysis::analyse;
 use chain::Chain;
 use input_ranges::moves;
 use model::Robot;
 use motion_plane::Plane;
-pub(crate) use placement::{
-    Placement, Vector, cross, difference, dot, length, normals, scaled, sum, unit,
-};
 use wording::{Sections, Wording};
 
 /// Reads a robot and writes it as a mechanism.
@@ -156,15 +153,17 @@ fn written(
             text.push('\n');
         }
         for line in lines {
-            let _ = writeln!(text, "    {line}");
+            item(&mut text, 4, line, 0);
         }
     }
     let arguments = inputs.join(", ");
     let quantities = sections.quantities.join(", ");
     let _ = writeln!(
         text,
-        "}}\n\nimpl {name} {{\n    /// Joints and their angles.\n    pub fn motion({arguments}) -> Motion {{ {quantities} }}"
+        "}}\n\nimpl {name} {{\n    /// Joints and their angles.\n    pub fn motion({arguments}) -> Motion {{"
     );
+    item(&mut text, 8, &quantities, 0);
+    text += "    }\n";
     // A link that no input moves has no picture.
     if !sections.links.is_empty() && !of_shape.is_empty() {
         let links: Vec<String> = sections
@@ -174,10 +173,16 @@ fn written(
             .collect();
         let _ = writeln!(
             text,
-            "\n    /// The links, for the drawing.\n    pub fn shape({}) -> Shape {{ shape: picture({}) }}",
-            of_shape.join(", "),
-            links.join(", ")
+            "\n    /// The links, for the drawing.\n    pub fn shape({}) -> Shape {{",
+            of_shape.join(", ")
         );
+        item(
+            &mut text,
+            8,
+            &format!("shape: picture({})", links.join(", ")),
+            1,
+        );
+        text += "    }\n";
     }
     text += "}\n";
     text

@@ -15,7 +15,7 @@ mod pose;
 mod sizes;
 mod spelling;
 
-use crate::wrapped::{COLUMNS, comment, warnings_as_comments};
+use crate::wrapped::{comment, item, warnings_as_comments};
 use drive::Drive;
 use spelling::Spelling;
 
@@ -101,20 +101,9 @@ fn functions(
     let inputs = inputs.join(", ");
     let _ = writeln!(text, "\nimpl {name} {{");
     if !moving.is_empty() {
-        let mut list = String::new();
-        let mut width = 0;
-        for joint in moving {
-            if width + joint.len() > COLUMNS - 14 {
-                list += "\n       ";
-                width = 0;
-            }
-            let _ = write!(list, " {joint},");
-            width += joint.len() + 2;
-        }
-        let _ = writeln!(
-            text,
-            "    pub fn points({inputs}) -> Points {{\n       {list}\n    }}"
-        );
+        let _ = writeln!(text, "    pub fn points({inputs}) -> Points {{");
+        item(text, 8, &format!("{},", moving.join(", ")), 0);
+        *text += "    }\n";
     }
     let _ = writeln!(
         text,

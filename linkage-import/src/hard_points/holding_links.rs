@@ -5,7 +5,7 @@ use super::roles::Points;
 use super::suspension::{LinkLine, Suspension};
 use super::wheel_travel::Hold;
 use crate::error::ImportError;
-use crate::robots::{difference, length, normals, scaled, sum, unit};
+use crate::placement::{difference, length, normals, scaled, sum, unit};
 
 /// The letters of both points beside the strut.
 const BESIDE: [&str; 2] = ["strut_n", "strut_m"];

@@ -4,7 +4,7 @@ use super::rocker::{Outer, Rocker, wishbone_axes};
 use super::roles::Points;
 use super::suspension::{LinkLine, Suspension};
 use crate::error::ImportError;
-use crate::robots::{Vector, difference, dot, length, unit};
+use crate::placement::{Vector, difference, dot, length, unit};
 
 /// The roles that a rocker needs.
 const ROCKER: [&str; 3] = ["rocker_pivot", "rocker_axis", "push_rocker"];

@@ -9,7 +9,7 @@ use crate::csv_lines::line_number;
 use crate::error::ImportError;
 use crate::names::shown;
 use crate::number::{Decimal, decimal, with_point};
-use crate::robots::Vector;
+use crate::placement::Vector;
 
 /// More points than any suspension has.
 const MOST_POINTS: usize = 500;

@@ -8,7 +8,7 @@ use crate::error::ImportError;
 use crate::names::shown;
 use crate::number::half_digit;
 use crate::options::Options;
-use crate::robots::Vector;
+use crate::placement::Vector;
 
 /// All roles, each with its meaning.
 pub(super) const ROLES: [(&str, &str); 34] = [

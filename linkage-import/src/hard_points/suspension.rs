@@ -7,7 +7,7 @@ use super::wheel_travel::{Hold, reach};
 use crate::drawn::{Drawn, DrawnPoint, Drive, Measure};
 use crate::error::ImportError;
 use crate::number::plain;
-use crate::robots::{Placement, Vector, cross, difference, length};
+use crate::placement::{Placement, Vector, cross, difference, length};
 
 /// The largest travel that is tried, as a part of the distance from the chassis to the wheel.
 const MOST_TRAVEL: f64 = 0.15;

@@ -4,8 +4,8 @@ use std::fmt::Write;
 
 use super::suspension::{LinkLine, Suspension};
 use crate::number::{banded, plain};
-use crate::robots::{Vector, difference, length};
-use crate::wrapped::COLUMNS;
+use crate::placement::{Vector, difference, length};
+use crate::wrapped::item;
 
 /// Adds the items of the struct.
 pub(super) fn items(suspension: &Suspension, input: &str, band: f64, text: &mut String) {
@@ -19,14 +19,21 @@ pub(super) fn items(suspension: &Suspension, input: &str, band: f64, text: &mut 
     text.push_str(
         "\n    // Links: lengths are those of the drawing, with the bands of their rounding.\n",
     );
-    listed(text, "link frame: ", &suspension.frame, "");
+    item(
+        text,
+        4,
+        &format!("link frame: {};", suspension.frame.join(", ")),
+        0,
+    );
     for link in &suspension.links {
-        listed(
-            text,
-            &format!("link {}: ", link.name),
-            &link.joints,
-            &link.clause,
-        );
+        let LinkLine {
+            name,
+            joints,
+            clause,
+            ..
+        } = link;
+        let line = format!("link {name}: {}{clause};", joints.join(", "));
+        item(text, 4, &line, 0);
         lengths(suspension, link, band, text);
     }
     for lines in [&suspension.loops, &suspension.lets] {
@@ -45,18 +52,9 @@ pub(super) fn functions(suspension: &Suspension, name: &str, text: &mut String) 
         text,
         "\nimpl {name} {{\n    /// Points, and what depends on the travel of the wheel.\n    pub fn motion(travel) -> Motion {{"
     );
-    let mut line = String::new();
-    for quantity in &suspension.quantities {
-        if !line.is_empty() && line.len() + quantity.len() + 10 > COLUMNS {
-            let _ = writeln!(text, "        {}", line.trim_end());
-            line.clear();
-        }
-        let _ = write!(line, "{quantity}, ");
-    }
-    let _ = writeln!(
-        text,
-        "        {}\n    }}\n\n    /// The links, for the drawing.\n    pub fn shape(travel) -> Shape {{ shape: picture() }}\n}}",
-        line.trim_end()
+    item(text, 8, &suspension.quantities.join(", "), 0);
+    text.push_str(
+        "    }\n\n    /// The links, for the drawing.\n    pub fn shape(travel) -> Shape { shape: picture() }\n}\n",
     );
 }
 
@@ -86,20 +84,6 @@ fn joints(suspension: &Suspension, text: &mut String) {
             joint.name
         );
     }
-}
-
-/// A link in lines of the width of comments.
-fn listed(text: &mut String, start: &str, names: &[String], clause: &str) {
-    let mut line = format!("    {start}");
-    for (index, name) in names.iter().enumerate() {
-        let end = if index + 1 == names.len() { "" } else { ", " };
-        if line.len() + name.len() + end.len() > COLUMNS {
-            let _ = writeln!(text, "{}", line.trim_end());
-            line = " ".repeat(8);
-        }
-        let _ = write!(line, "{name}{end}");
-    }
-    let _ = writeln!(text, "{line}{clause};");
 }
 
 /// The lengths that a link keeps, as comments.

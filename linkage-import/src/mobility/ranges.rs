@@ -3,8 +3,8 @@
 use std::cell::Cell;
 use std::f64::consts::TAU;
 
-use crate::courses::{Course, courses, spread};
 use crate::document::{Document, InputKind};
+use crate::driven_motions::{DrivenMotion, driven_motions, spread};
 
 use super::built::system;
 use super::constraints::{Pose, System};
@@ -41,7 +41,7 @@ const MOST_CORNER_INPUTS: usize = 5;
 /// Numbers of values of an input in the test of a box.
 const BOX_VALUES: usize = 9;
 
-/// Returns the change of each [course](courses) from the drawing, from the least to the greatest, in
+/// Returns the change of each [motion](driven_motions) from the drawing, from the least to the greatest, in
 /// radians or in the unit of length. Inputs that cannot move have equal bounds.
 pub(crate) fn ranges(document: &Document) -> Option<Vec<[f64; 2]>> {
     let kinds: Vec<InputKind> = document.inputs.iter().map(|input| input.kind).collect();
@@ -52,25 +52,25 @@ pub(crate) fn ranges(document: &Document) -> Option<Vec<[f64; 2]>> {
     if solution.rank < system.unknowns() || kinds.is_empty() {
         return None;
     }
-    let courses = courses(document);
+    let motions = driven_motions(document);
     let walk = Walk {
         system: &system,
-        courses: &courses,
+        motions: &motions,
         left: Cell::new(MOST_OPERATIONS),
         rank: solution.rank,
         is_negative: solution.is_negative,
     };
     let mut ranges = Vec::new();
-    for course in 0..courses.len() {
-        ranges.push(single(&walk, document, course));
+    for motion in 0..motions.len() {
+        ranges.push(single(&walk, document, motion));
     }
-    if courses.len() > 1 {
+    if motions.len() > 1 {
         let fits = |part: &&f64| is_box(&walk, &scaled(&ranges, **part));
         let part = BOXES.iter().find(fits).copied().unwrap_or(0.0);
         ranges = scaled(&ranges, part);
     }
-    for (course, range) in courses.iter().zip(&mut ranges) {
-        if !matches!(kinds[course.leader], InputKind::Crank { .. }) {
+    for (motion, range) in motions.iter().zip(&mut ranges) {
+        if !matches!(kinds[motion.leader], InputKind::Crank { .. }) {
             *range = range.map(|bound| bound * system.size());
         }
     }
@@ -86,7 +86,7 @@ fn scaled(ranges: &[[f64; 2]], part: f64) -> Vec<[f64; 2]> {
 
 struct Walk<'t> {
     system: &'t System,
-    courses: &'t [Course],
+    motions: &'t [DrivenMotion],
     /// Operations that are left.
     left: Cell<u64>,
     rank: usize,
@@ -95,10 +95,10 @@ struct Walk<'t> {
 }
 
 impl Walk<'_> {
-    /// Returns the pose of other values of the courses, which are near those of a pose.
+    /// Returns the pose of other values of the motions, which are near those of a pose.
     fn step(&self, pose: &Pose, values: &[f64]) -> Option<Pose> {
         let mut next = pose.clone();
-        let values = &spread(self.courses, values)[..];
+        let values = &spread(self.motions, values)[..];
         for _ in 0..MOST_ITERATIONS {
             let rows = self.system.rows(&next, values);
             let error = rows
@@ -129,10 +129,10 @@ impl Walk<'_> {
         None
     }
 
-    /// Returns the pose at the end of a straight way between values of the courses.
+    /// Returns the pose at the end of a straight way between values of the motions.
     fn walk(&self, pose: &Pose, from: &[f64], to: &[f64]) -> Option<Pose> {
         let way: Vec<f64> = from.iter().zip(to).map(|(a, b)| b - a).collect();
-        let way = spread(self.courses, &way).into_iter();
+        let way = spread(self.motions, &way).into_iter();
         let longest = way.map(f64::abs);
         let steps = (longest.fold(0.0, f64::max) / (3.0 * ANGLE_STEP))
             .ceil()
@@ -147,14 +147,14 @@ impl Walk<'_> {
     }
 }
 
-/// Returns the range of one course while the others stay.
-fn single(walk: &Walk, document: &Document, course: usize) -> [f64; 2] {
+/// Returns the range of one motion while the others stay.
+fn single(walk: &Walk, document: &Document, motion: usize) -> [f64; 2] {
     let size = walk.system.size();
-    let Course {
+    let DrivenMotion {
         leader: input,
         ref followers,
         turns,
-    } = walk.courses[course];
+    } = walk.motions[motion];
     let turns = f64::from(turns) * TAU;
     let kind = document.inputs[input].kind;
     let (step, bounds) = match kind {
@@ -177,7 +177,7 @@ fn single(walk: &Walk, document: &Document, course: usize) -> [f64; 2] {
         }
     };
     let is_crank = matches!(kind, InputKind::Crank { .. });
-    let reach = bounds.map(|bound| reached(walk, course, bound, step));
+    let reach = bounds.map(|bound| reached(walk, motion, bound, step));
     if is_crank
         && reach
             .iter()
@@ -225,7 +225,7 @@ struct Reached {
 }
 
 /// Walks towards a bound, to the last value that is reached.
-fn reached(walk: &Walk, course: usize, bound: f64, step: f64) -> Reached {
+fn reached(walk: &Walk, motion: usize, bound: f64, step: f64) -> Reached {
     let mut end = Reached {
         value: 0.0,
         is_end: false,
@@ -234,8 +234,8 @@ fn reached(walk: &Walk, course: usize, bound: f64, step: f64) -> Reached {
     let mut length = step;
     while end.value.abs() < bound.abs() {
         let next = (end.value.abs() + length).min(bound.abs()).copysign(bound);
-        let mut values = vec![0.0; walk.courses.len()];
-        values[course] = next;
+        let mut values = vec![0.0; walk.motions.len()];
+        values[motion] = next;
         match walk.step(&end.pose, &values) {
             Some(pose) => {
                 end.pose = pose;

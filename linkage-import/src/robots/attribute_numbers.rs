@@ -1,9 +1,9 @@
 //! Numbers in attributes.
 
-use super::placement::{Vector, unit};
 use crate::error::ImportError;
 use crate::names::shown;
 use crate::number::decimal;
+use crate::placement::{Vector, unit};
 use crate::xml::XmlElement;
 
 /// The largest number of a file that describes a mechanism in metres and kilograms.

@@ -1,9 +1,9 @@
 //! The coordinates of a robot's joints, and the positions of its bodies.
 
-use super::model::{Motion, Robot};
+use super::model::{Closure, Motion, Robot};
 use super::motion_plane::Plane;
-use super::placement::{AXES, FIXED, Placement, Vector, cross, difference, scaled, sum, unit};
 use super::rod_bodies::{Rod, rods};
+use crate::placement::{AXES, FIXED, Placement, Vector, cross, difference, scaled, sum, unit};
 
 /// A number of a joint.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -149,6 +149,32 @@ impl<'r> Chain<'r> {
         });
         let (first, outer) = self.led_by(pose, *leader);
         (first, outer * slope)
+    }
+
+    /// The nearest body that carries both ends of a closure by hinges and slides alone, else the
+    /// fixed one. In the plane, it is the fixed one.
+    pub(super) fn common_carrier(&self, closure: &Closure) -> usize {
+        let joint = |body: usize| self.robot.bodies[body].joint.as_ref();
+        let parent = |body: &usize| joint(*body).map(|joint| joint.parent);
+        let [a, b] = closure.bodies;
+        let mut carriers = std::iter::successors(Some(a), parent);
+        let common = carriers
+            .find(|carrier| self.carriers[b][*carrier])
+            .unwrap_or(0);
+        let is_seen = |end: usize| {
+            std::iter::successors(Some(end), parent)
+                .take_while(|body| *body != common)
+                .all(|body| {
+                    joint(body).is_some_and(|joint| match joint.motion {
+                        Motion::Hinge(_) | Motion::Slide(_) | Motion::Fixed => true,
+                        Motion::Ball | Motion::Free => false,
+                    })
+                })
+        };
+        match self.plane.is_none() && is_seen(a) && is_seen(b) {
+            true => common,
+            false => 0,
+        }
     }
 
     /// True for a coordinate of a joint that follows no other.

@@ -2,8 +2,8 @@
 
 use super::chain::{Chain, Pose};
 use super::model::{ClosingJoint, Closure};
-use super::placement::{AXES, Vector, cross, difference, dot, length, normals, sum, unit};
 use super::rod_bodies::Rod;
+use crate::placement::{AXES, Vector, cross, difference, dot, length, normals, sum, unit};
 
 /// An equation: its error, and the changes by all coordinates.
 #[derive(Clone, Debug)]
@@ -95,7 +95,11 @@ impl Chain<'_> {
                 .into_iter()
                 .for_each(|normal| shift(pose.bodies[b].direction(normal))),
             (_, Some(plane)) => plane.axes.into_iter().for_each(shift),
-            (_, None) => AXES.into_iter().for_each(shift),
+            (_, None) => {
+                let carrier = &pose.bodies[self.common_carrier(closure)];
+                AXES.into_iter()
+                    .for_each(|axis| shift(carrier.direction(axis)));
+            }
         }
         for (axis, error) in self.turns(pose, closure) {
             let changes = self.coordinates.iter().map(|coordinate| {

@@ -6,9 +6,9 @@ use std::collections::BTreeMap;
 
 use super::attribute_numbers::{attribute, axis_of, numbers};
 use super::model::{Joint, Mass, Motion, Robot, joint};
-use super::placement::{AXES, FIXED, Placement, Vector};
 use crate::error::ImportError;
 use crate::names::shown;
+use crate::placement::{AXES, FIXED, Placement, Vector};
 use crate::xml::XmlElement;
 
 mod constraints;

@@ -5,9 +5,9 @@
 
 use std::collections::BTreeMap;
 
-use super::placement::{Vector, difference, dot, scaled, sum};
 use crate::error::ImportError;
 use crate::names::shown;
+use crate::placement::{Vector, difference, dot, scaled, sum};
 
 /// More bodies than any mechanism that is worth a closed form.
 const MOST_BODIES: usize = 400;

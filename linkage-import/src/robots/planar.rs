@@ -2,8 +2,8 @@
 
 use super::model::{ClosingJoint, Closure, Joint, Motion};
 use super::motion_plane::Plane;
-use super::placement::{Vector, cross};
 use super::wording::{Sections, Wording};
+use crate::placement::{Vector, cross};
 
 /// The text of a plane mechanism that is being written.
 pub(super) struct Writer<'w, 'c> {

@@ -1,9 +1,9 @@
 //! Bodies and links of a robot that moves in a plane, behind its loops.
 
 use super::model::Motion;
-use super::placement::dot;
 use super::planar::Writer;
 use super::wording::digits;
+use crate::placement::dot;
 
 impl Writer<'_, '_> {
     /// The points of each link.

@@ -1,9 +1,9 @@
 //! The drawn pose of a robot, with the names of its text.
 
 use super::model::Motion;
-use super::placement::{Vector, cross, difference, dot, length};
 use super::wording::{NamedPoint, Sections, Wording};
 use crate::drawn::{Drawn, DrawnPoint, Drive, Measure};
+use crate::placement::{Vector, cross, difference, dot, length};
 
 /// A point this near to an axis, as a part of the size, shows no turn.
 const ON_AXIS: f64 = 1e-6;

@@ -17,9 +17,9 @@ use self::masses::add_mass;
 use self::placed_links::PlacedLinks;
 use super::attribute_numbers::{attribute, axis_of};
 use super::model::{Motion, Robot, joint};
-use super::placement::{FIXED, Placement};
 use crate::error::ImportError;
 use crate::names::shown;
+use crate::placement::{FIXED, Placement};
 use crate::xml::XmlElement;
 
 /// Reads a robot, with the closures of a table in CSV.

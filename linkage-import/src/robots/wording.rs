@@ -6,9 +6,9 @@ use super::analysis::Analysis;
 use super::chain::Chain;
 use super::input_ranges::{common_share, reach};
 use super::model::{Body, Joint, Motion};
-use super::placement::Vector;
 use crate::names::{Names, in_comment, shown};
 use crate::number::{plain, short};
+use crate::placement::Vector;
 
 /// A limit of an angle without limits, in radians: a turn.
 const TURN: f64 = core::f64::consts::TAU;
@@ -160,8 +160,13 @@ impl<'c> Wording<'c> {
     pub(super) fn inputs(&self, sections: &mut Sections) {
         let indices = &self.analysis.inputs;
         let limits: Vec<Limits> = indices.iter().map(|index| self.limits(*index)).collect();
-        let ends: Vec<[f64; 2]> = limits.iter().map(|limits| limits.ends).collect();
-        let share = common_share(self.chain, self.analysis, &ends);
+        let shared: Vec<(usize, [f64; 2])> = indices
+            .iter()
+            .zip(&limits)
+            .filter(|(index, _)| self.is_in_loop(**index))
+            .map(|(index, limits)| (*index, limits.ends))
+            .collect();
+        let share = common_share(self.chain, self.analysis, &shared);
         if share < 1.0 {
             sections.warnings.push(
                 "the ranges of the inputs are shortened, so that the loops close for all of them together"
@@ -174,6 +179,7 @@ impl<'c> Wording<'c> {
             );
         }
         for (index, limits) in indices.iter().zip(limits) {
+            let share = if self.is_in_loop(*index) { share } else { 1.0 };
             self.input(*index, limits, share, sections);
         }
     }

@@ -1,7 +1,7 @@
 //! Inputs: their values in the drawing, and ranges in which the mechanism stays together.
 
-use crate::courses::{Course, courses};
 use crate::document::{Document, InputKind, SlotPath};
+use crate::driven_motions::{DrivenMotion, driven_motions};
 use crate::mobility;
 use crate::number::plain;
 use crate::wrapped::comment;
@@ -20,21 +20,21 @@ pub(super) fn drives(document: &mut Document, spelling: &Spelling) -> Vec<Drive>
         explain(document);
     }
     let mut drives = Vec::new();
-    for (number, course) in courses(document).iter().enumerate() {
+    for (number, motion) in driven_motions(document).iter().enumerate() {
         let range = ranges.as_ref().map(|ranges| ranges[number]);
         if range.is_some_and(|[low, high]| high - low < 1e-6) {
             document.warnings.push(format!(
                 "`{}` cannot move from the drawing, or only by very little: set its range",
-                spelling.inputs[course.leader]
+                spelling.inputs[motion.leader]
             ));
         }
-        let leader = single(document, spelling, course, range);
-        for (follower, _) in &course.followers {
+        let leader = single(document, spelling, motion, range);
+        for (follower, _) in &motion.followers {
             let follower = *follower;
-            let drive = following(document, spelling, follower, course, &leader);
+            let drive = following(document, spelling, follower, motion, &leader);
             drives.extend(drive.map(|drive| (follower, drive)));
         }
-        drives.push((course.leader, leader));
+        drives.push((motion.leader, leader));
     }
     drives.sort_by_key(|(index, _)| *index);
     drives.into_iter().map(|(_, drive)| drive).collect()
@@ -42,31 +42,31 @@ pub(super) fn drives(document: &mut Document, spelling: &Spelling) -> Vec<Drive>
 
 /// Adds comments about motors that run together, and about inputs that run by no speed.
 pub(super) fn together(document: &Document, drives: &[Drive], text: &mut String) {
-    let courses = courses(document);
-    if courses.len() < drives.len() {
+    let motions = driven_motions(document);
+    if motions.len() < drives.len() {
         let words = "The motors run together, as in the file. To drive one of them alone, write it \
                      as an input.";
         comment(text, "    // ", words);
     }
-    let has_speed = |course: &&Course| document.inputs[course.leader].rate.is_some();
-    if drives.len() > 1 && courses.iter().filter(has_speed).count() < courses.len() {
+    let has_speed = |motion: &&DrivenMotion| document.inputs[motion.leader].rate.is_some();
+    if drives.len() > 1 && motions.iter().filter(has_speed).count() < motions.len() {
         let words = "Inputs without a rate move to and fro, or as the user of the program moves \
                      them: they are no functions of the time of the others.";
         comment(text, "    // ", words);
     }
 }
 
-/// An input, with the range of its course.
+/// An input, with the range of its motion.
 fn single(
     document: &Document,
     spelling: &Spelling,
-    course: &Course,
+    motion: &DrivenMotion,
     range: Option<[f64; 2]>,
 ) -> Drive {
-    let index = course.leader;
+    let index = motion.leader;
     match document.inputs[index].kind {
         InputKind::Crank { link, pivot, base } => {
-            crank(document, spelling, course, [link, pivot, base], range)
+            crank(document, spelling, motion, [link, pivot, base], range)
         }
         InputKind::Length { link } => {
             let joints = &document.links[link].joints;

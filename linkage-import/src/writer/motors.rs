@@ -1,7 +1,7 @@
 //! Motors: their angles in the drawing, and motors that run with another one.
 
-use crate::courses::Course;
 use crate::document::{Document, FRAME, InputKind};
+use crate::driven_motions::DrivenMotion;
 use crate::number::plain;
 
 use super::drive::{Drive, head, inside, line, rounded};
@@ -45,15 +45,15 @@ fn drawn(
     }
 }
 
-/// An input that turns a link about a pivot, with the range of its course.
+/// An input that turns a link about a pivot, with the range of its motion.
 pub(super) fn crank(
     document: &Document,
     spelling: &Spelling,
-    course: &Course,
+    motion: &DrivenMotion,
     joined: [usize; 3],
     range: Option<[f64; 2]>,
 ) -> Drive {
-    let index = course.leader;
+    let index = motion.leader;
     let name = spelling.inputs[index].clone();
     let drawn = drawn(document, spelling, &name, joined);
     let mut reference = drawn.reference;
@@ -63,7 +63,7 @@ pub(super) fn crank(
             if reference < 0.0 {
                 reference = rounded(reference + 360.0, 1e-12);
             }
-            let turns = f64::from(course.turns);
+            let turns = f64::from(motion.turns);
             let is_period = ((high - low) / std::f64::consts::TAU - turns).abs() < 1e-9;
             (0.0, if is_period { 360.0 * turns } else { 360.0 })
         }
@@ -101,7 +101,7 @@ pub(super) fn following(
     document: &Document,
     spelling: &Spelling,
     index: usize,
-    course: &Course,
+    motion: &DrivenMotion,
     leader: &Drive,
 ) -> Option<Drive> {
     let name = spelling.inputs[index].clone();
@@ -111,7 +111,7 @@ pub(super) fn following(
     };
     let drawn = drawn(document, spelling, &name, [link, pivot, base]);
     let value = format!("{}deg", plain(drawn.reference));
-    let [rate, of_leader] = [index, course.leader].map(|input| document.inputs[input].rate);
+    let [rate, of_leader] = [index, motion.leader].map(|input| document.inputs[input].rate);
     let [rate, of_leader] = [rate, of_leader].map(|rate| rate.unwrap_or_default());
     let sign = if (rate < 0.0) == (of_leader < 0.0) {
         '+'

@@ -4,6 +4,7 @@ use std::fmt::Write;
 
 use crate::document::{Document, FRAME, InputKind, Load, PlacedLoad, SlotPath};
 use crate::number::plain;
+use crate::wrapped::item;
 
 use super::drive::Drive;
 use super::sizes;
@@ -80,7 +81,12 @@ pub(super) fn links(document: &Document, spelling: &Spelling, drives: &[Drive], 
             .map(|joint| &spelling.joints[*joint][..])
             .collect();
         let name = &spelling.links[index];
-        let _ = writeln!(text, "    link {name}: {}{clauses};", names.join(", "));
+        item(
+            text,
+            4,
+            &format!("link {name}: {}{clauses};", names.join(", ")),
+            0,
+        );
         if index != FRAME {
             sizes::of_link(document, spelling, &joints, text);
         }

@@ -177,3 +177,38 @@ fn mistakes_of_a_table_have_messages() {
             .starts_with("a file of the format `sdf` takes no table of closures")
     );
 }
+
+/// A turret carries a parallelogram: the loop does not depend on the turret, whose range is that of
+/// its joint, and has a closed form.
+#[test]
+fn a_loop_is_seen_from_the_body_that_carries_it() {
+    let [urdf, table] = ["palletizer.urdf", "palletizer.csv"]
+        .map(|name| String::from_utf8(file(name)).expect("text"));
+    let text = closed(&urdf, &table).expect("a mechanism").text;
+    let turret = text.lines().find(|line| line.contains("input joint_1"));
+    let turret = turret.expect("an input");
+    assert!(turret.contains(" in -166.158deg..166.158deg;"), "{turret}");
+    let mechanism = Mechanism::compile(&text).unwrap_or_else(|error| panic!("{error}\n{text}"));
+    let kinds = mechanism.structure().groups.iter().map(|group| group.kind);
+    assert_eq!(kinds.collect::<Vec<_>>(), ["RRR"]);
+    let assembly = mechanism
+        .assemble(&mechanism.dimensions())
+        .expect("a robot");
+    for turret in [-2.9, -1.5707963267948966, 0.4, 2.0] {
+        for [arm, crank] in [[0.0, 0.0], [-0.6, 0.4], [1.1, -0.3], [0.5, 0.9]] {
+            let results = assembly.results("motion", &[turret, arm, crank]);
+            // The upper arm is parallel to the crank.
+            let elbow = results["elbow"];
+            assert!(
+                (elbow - (crank - arm)).abs() < 1e-12,
+                "{elbow} at {arm}, {crank}"
+            );
+            let (sin, cos) = (turret as f64).sin_cos();
+            let out = 0.1 + 0.45 * f64::sin(arm) - 0.12 * f64::cos(crank);
+            let up = 0.4 + 0.45 * f64::cos(arm) + 0.12 * f64::sin(crank);
+            let [x, y, z] = results.vector::<3>("parallelogram_a");
+            let error = (x - out * cos).hypot(y - out * sin).hypot(z - up);
+            assert!(error < 1e-12, "{error} at {turret}, {arm}, {crank}");
+        }
+    }
+}

@@ -7,9 +7,9 @@ use crate::csv_lines::line_number;
 use crate::error::ImportError;
 use crate::names::shown;
 use crate::number::{decimal, with_point};
+use crate::placement::Vector;
 use crate::robots::attribute_numbers::axis_of;
 use crate::robots::model::{ClosingJoint, Closure, Robot};
-use crate::robots::placement::Vector;
 
 /// The largest coordinate, in metres.
 const LARGEST: f64 = 1e9;

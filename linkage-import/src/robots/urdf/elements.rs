@@ -2,8 +2,8 @@
 
 use crate::error::ImportError;
 use crate::names::shown;
+use crate::placement::{FIXED, Placement};
 use crate::robots::attribute_numbers::attribute;
-use crate::robots::placement::{FIXED, Placement};
 use crate::xml::XmlElement;
 
 pub(super) fn twice(kind: &str, name: &str) -> ImportError {

@@ -2,9 +2,9 @@
 
 use super::elements::origin;
 use crate::error::ImportError;
+use crate::placement::Placement;
 use crate::robots::attribute_numbers::attribute;
 use crate::robots::model::{Mass, Robot, tensor};
-use crate::robots::placement::Placement;
 use crate::xml::XmlElement;
 
 /// Adds the mass of a link to its body.

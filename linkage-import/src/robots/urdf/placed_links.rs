@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use crate::robots::placement::Placement;
+use crate::placement::Placement;
 
 /// The body of each link, and the placement of the link's coordinates where it is drawn.
 pub(super) type PlacedLinks<'t> = BTreeMap<&'t str, (usize, Placement)>;

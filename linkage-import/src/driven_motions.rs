@@ -10,7 +10,7 @@ const WHOLE: f64 = 1e-9;
 
 /// A motion of the drawing that one number describes: the change of an input.
 #[derive(Clone, Debug, PartialEq)]
-pub(crate) struct Course {
+pub(crate) struct DrivenMotion {
     /// The input, as an index.
     pub(crate) leader: usize,
     /// Other inputs that move with it, and their changes as parts of its change.
@@ -19,8 +19,8 @@ pub(crate) struct Course {
     pub(crate) turns: u32,
 }
 
-/// Returns the courses of the inputs: one for all motors with a speed, and one for each other input.
-pub(crate) fn courses(document: &Document) -> Vec<Course> {
+/// Returns the motions of the inputs: one for all motors with a speed, and one for each other input.
+pub(crate) fn driven_motions(document: &Document) -> Vec<DrivenMotion> {
     let rates: Vec<Option<f64>> = document
         .inputs
         .iter()
@@ -32,7 +32,7 @@ pub(crate) fn courses(document: &Document) -> Vec<Course> {
     let rated = rates.iter().enumerate();
     let rated = rated.filter_map(|(index, rate)| Some((index, (*rate)?)));
     let slowest = rated.clone().min_by(|a, b| a.1.abs().total_cmp(&b.1.abs()));
-    let course = |leader: usize| {
+    let motion = |leader: usize| {
         let followers: Vec<(usize, f64)> = match slowest {
             Some((slowest, rate)) if slowest == leader => rated
                 .clone()
@@ -41,7 +41,7 @@ pub(crate) fn courses(document: &Document) -> Vec<Course> {
                 .collect(),
             _ => Vec::new(),
         };
-        Course {
+        DrivenMotion {
             leader,
             turns: turns(&followers),
             followers,
@@ -51,7 +51,7 @@ pub(crate) fn courses(document: &Document) -> Vec<Course> {
         Some((slowest, _)) => rates[*index].is_none() || *index == slowest,
         None => true,
     };
-    (0..rates.len()).filter(leads).map(course).collect()
+    (0..rates.len()).filter(leads).map(motion).collect()
 }
 
 /// Returns the least number of turns after which all followers have made whole turns, or one.
@@ -66,12 +66,12 @@ fn turns(followers: &[(usize, f64)]) -> u32 {
 }
 
 /// Returns the change of each input for the changes of the leaders.
-pub(crate) fn spread(courses: &[Course], values: &[f64]) -> Vec<f64> {
-    let followers = courses.iter().map(|course| course.followers.len());
-    let mut spread = vec![0.0; courses.len() + followers.sum::<usize>()];
-    for (course, value) in courses.iter().zip(values) {
-        spread[course.leader] = *value;
-        for (follower, ratio) in &course.followers {
+pub(crate) fn spread(motions: &[DrivenMotion], values: &[f64]) -> Vec<f64> {
+    let followers = motions.iter().map(|motion| motion.followers.len());
+    let mut spread = vec![0.0; motions.len() + followers.sum::<usize>()];
+    for (motion, value) in motions.iter().zip(values) {
+        spread[motion.leader] = *value;
+        for (follower, ratio) in &motion.followers {
             spread[*follower] = ratio * value;
         }
     }
@@ -104,8 +104,8 @@ mod tests {
 
     #[test]
     fn the_slowest_motor_leads() {
-        let found = courses(&document(&[Some(90.0), None, Some(-60.0), Some(0.0)]));
-        let leaders: Vec<usize> = found.iter().map(|course| course.leader).collect();
+        let found = driven_motions(&document(&[Some(90.0), None, Some(-60.0), Some(0.0)]));
+        let leaders: Vec<usize> = found.iter().map(|motion| motion.leader).collect();
         assert_eq!(leaders, [1, 2, 3]);
         assert_eq!(found[1].followers, [(0, -1.5)]);
         assert_eq!(found[1].turns, 2);
@@ -114,7 +114,7 @@ mod tests {
 
     #[test]
     fn motors_without_a_common_period_turn_once() {
-        let found = courses(&document(&[Some(1.0), Some(std::f64::consts::SQRT_2)]));
+        let found = driven_motions(&document(&[Some(1.0), Some(std::f64::consts::SQRT_2)]));
         assert_eq!((found.len(), found[0].turns), (1, 1));
     }
 }
