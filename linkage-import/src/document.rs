@@ -2,6 +2,14 @@
 
 use crate::error::ImportError;
 
+mod input;
+mod parts;
+mod unit;
+
+pub(crate) use input::{Input, InputKind};
+pub(crate) use parts::{GearPair, Joint, Link, Load, Mass, PlacedLoad, Slot, SlotPath};
+pub(crate) use unit::LengthUnit;
+
 /// The index of the fixed link.
 pub(crate) const FRAME: usize = 0;
 
@@ -33,148 +41,6 @@ pub(crate) struct Document {
     pub(crate) remarks: Vec<String>,
     /// Everything that was not taken, or that the user should confirm.
     pub(crate) warnings: Vec<String>,
-}
-
-/// A unit of lengths.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum LengthUnit {
-    Millimetre,
-    Centimetre,
-    Metre,
-    Inch,
-}
-
-impl LengthUnit {
-    pub(crate) fn name(self) -> &'static str {
-        match self {
-            Self::Millimetre => "mm",
-            Self::Centimetre => "cm",
-            Self::Metre => "m",
-            Self::Inch => "inch",
-        }
-    }
-
-    /// Returns the unit of a name in a file.
-    pub(crate) fn named(name: &str) -> Option<Self> {
-        match &name.trim().to_ascii_lowercase()[..] {
-            "mm" | "millimetre" | "millimeter" | "millimetres" | "millimeters" => {
-                Some(Self::Millimetre)
-            }
-            "cm" | "centimetre" | "centimeter" | "centimetres" | "centimeters" => {
-                Some(Self::Centimetre)
-            }
-            "m" | "metre" | "meter" | "metres" | "meters" => Some(Self::Metre),
-            "inch" | "in" | "inches" => Some(Self::Inch),
-            _ => None,
-        }
-    }
-}
-
-/// A point that links share.
-#[derive(Clone, Debug)]
-pub(crate) struct Joint {
-    /// The name in the file.
-    pub(crate) name: String,
-    pub(crate) position: [f64; 2],
-    /// True for points that no file has, such as centres of arcs and of masses.
-    pub(crate) is_derived: bool,
-}
-
-/// A rigid body.
-#[derive(Clone, Debug, Default)]
-pub(crate) struct Link {
-    pub(crate) name: String,
-    /// Indices of joints.
-    pub(crate) joints: Vec<usize>,
-    pub(crate) mass: Option<Mass>,
-    /// True for wheels that do not turn, whose second joint is to the right of the first one.
-    pub(crate) is_held: bool,
-}
-
-/// A mass with its units as text, and the joint at its centre.
-#[derive(Clone, Debug)]
-pub(crate) struct Mass {
-    pub(crate) mass: String,
-    pub(crate) inertia: Option<String>,
-    pub(crate) centre: usize,
-}
-
-/// A force of constant size.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Load {
-    /// Its components in the drawing.
-    pub(crate) vector: [f64; 2],
-    pub(crate) unit: &'static str,
-    /// True if it turns with its link.
-    pub(crate) turns: bool,
-}
-
-/// A force on a link, and the joint at its place of application.
-#[derive(Clone, Debug)]
-pub(crate) struct PlacedLoad {
-    pub(crate) link: usize,
-    pub(crate) joint: usize,
-    pub(crate) load: Load,
-}
-
-/// A pin that slides on a link.
-#[derive(Clone, Debug)]
-pub(crate) struct Slot {
-    pub(crate) pin: usize,
-    /// The link with the slot.
-    pub(crate) guide: usize,
-    pub(crate) path: SlotPath,
-    /// A link that does not turn in the guide.
-    pub(crate) block: Option<usize>,
-}
-
-/// The centre line of a slot.
-#[derive(Clone, Debug)]
-pub(crate) enum SlotPath {
-    /// The line through two joints of the guide.
-    Joints(usize, usize),
-    /// A direction of the drawing through the pin: radians, and the same as text with a unit.
-    /// A guide that moves has a joint there.
-    Direction(f64, String, Option<usize>),
-    /// An arc about a joint of the guide.
-    Arc { centre: usize, radius: f64 },
-}
-
-/// Two wheels that mesh, or that a chain connects.
-#[derive(Clone, Debug)]
-pub(crate) struct GearPair {
-    pub(crate) wheels: [usize; 2],
-    pub(crate) sizes: [f64; 2],
-    /// The link that has the axes of both wheels.
-    pub(crate) arm: usize,
-    pub(crate) is_chain: bool,
-}
-
-/// A motor or a cylinder.
-#[derive(Clone, Debug)]
-pub(crate) struct Input {
-    pub(crate) kind: InputKind,
-    /// The travel from the drawn position that the file allows: lengths for cylinders and slots.
-    pub(crate) travel: Option<[f64; 2]>,
-    /// The speed in the file, as text.
-    pub(crate) speed: Option<String>,
-    /// The speed of a motor in degrees per second, counterclockwise.
-    pub(crate) rate: Option<f64>,
-}
-
-/// The coordinate that an input sets.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum InputKind {
-    /// The angle of a link about a pivot, against the link `base`.
-    Crank {
-        link: usize,
-        pivot: usize,
-        base: usize,
-    },
-    /// The distance of the two joints of a link.
-    Length { link: usize },
-    /// The position of a pin in a slot.
-    Position { slot: usize },
 }
 
 impl Document {

@@ -2,27 +2,29 @@
 //! user, because the tables do not have them.
 
 mod axes;
+mod holding_links;
 mod moving_parts;
 mod point_table;
 mod rocker;
 mod roles;
 mod suspension;
+mod text;
 mod wheel_travel;
 
 use std::fmt::Write;
 
 use crate::error::ImportError;
-use crate::names::{in_comment, shown, type_name};
+use crate::imported::Import;
+use crate::names::{file as file_name, in_comment, shown, stem, type_name};
+use crate::number::short;
 use crate::options::Options;
+use crate::wrapped::{comment, warnings_as_comments};
 use axes::Meaning;
+use roles::Points;
 use suspension::Suspension;
 
-/// Reads a table and writes it as a mechanism. Returns the text and the warnings.
-pub(crate) fn import(
-    content: &[u8],
-    file: &str,
-    options: &Options,
-) -> Result<(String, Vec<String>), ImportError> {
+/// Reads a table and writes it as a mechanism.
+pub(crate) fn import(content: &[u8], file: &str, options: &Options) -> Result<Import, ImportError> {
     let text = std::str::from_utf8(content)
         .map_err(|_| ImportError::new("the file is no text in UTF-8"))?;
     let text = text.trim_start_matches('\u{feff}');
@@ -43,7 +45,7 @@ pub(crate) fn import(
     };
     let meaning = Meaning::of_options(options)?;
     let points = roles::points(table, &meaning, options)?;
-    let mut suspension = Suspension::new(&points, &meaning)?;
+    let suspension = Suspension::new(&points, &meaning)?;
     let input = suspension.input(&points)?;
     let mut warnings = suspension.warnings.clone();
     if !points.others.is_empty() {
@@ -53,52 +55,51 @@ pub(crate) fn import(
         .by_role
         .keys()
         .copied()
-        .filter(|role| !is_used(&suspension, role))
+        .filter(|role| suspension.position(role).is_none())
         .collect();
     if !unused.is_empty() {
         warnings.push(format!("points without use: {}", unused.join(", ")));
     }
-    let stem = file.rsplit(['/', '\\']).next().unwrap_or_default();
-    let stem = stem.split_once('.').map_or(stem, |parts| parts.0);
-    let name = type_name(options.mechanism.as_deref().unwrap_or(stem));
-    let side = if meaning.is_left { "left" } else { "right" };
-    let kind = points.kind;
-    let mut out = format!(
-        "// From {}: a {kind}, {side} side. x is forward, y left, z up.\n",
-        in_comment(&shown(file))
+    let drawn = suspension.drawn();
+    warnings.extend(drawn.confirmation());
+    let name = type_name(options.mechanism.as_deref().unwrap_or(stem(file)));
+    let text = written(
+        &suspension,
+        &points,
+        &meaning,
+        [&input, &name, file],
+        &warnings,
     );
-    for warning in &warnings {
-        let _ = writeln!(out, "// {}", in_comment(warning));
-    }
-    let unit = meaning.unit;
-    let _ = writeln!(
-        out,
-        "\n/// A suspension: {kind}.\npub struct {name} {{\n    unit {unit};\n\n    {input}\n"
-    );
-    for lines in [
-        &suspension.parameters,
-        &suspension.unknowns,
-        &suspension.lets,
-        &suspension.loops,
-    ] {
-        for line in lines {
-            let _ = writeln!(out, "    {line}");
-        }
-        out.push('\n');
-    }
-    let quantities = suspension.quantities.join(", ");
-    let out = out.trim_end();
-    let text = format!(
-        "{out}\n}}\n\nimpl {name} {{\n    /// Points, and what depends on the travel of the wheel.\n    pub fn motion(travel) -> Motion {{ {quantities} }}\n\n    /// The links, for the drawing.\n    pub fn shape(travel) -> Shape {{ shape: picture() }}\n}}\n"
-    );
-    Ok((text, warnings))
+    Ok(Import {
+        text,
+        warnings,
+        drawn,
+    })
 }
 
-/// True if a point is in the text.
-fn is_used(suspension: &Suspension, role: &str) -> bool {
-    if ["wheel_centre", "spindle"].contains(&role) {
-        return true;
-    }
-    let mut lines = suspension.parameters.iter().chain(&suspension.lets);
-    lines.any(|line| line.contains(&format!("{role} =")))
+fn written(
+    suspension: &Suspension,
+    points: &Points,
+    meaning: &Meaning,
+    [input, name, file]: [&str; 3],
+    warnings: &[String],
+) -> String {
+    let side = if meaning.is_left { "left" } else { "right" };
+    let kind = points.kind;
+    let file = in_comment(&shown(file_name(file)));
+    let mut text = String::new();
+    let words = format!("From {file}: a {kind}, {side} side. x is forward, y left, z up.");
+    comment(&mut text, "// ", &words);
+    let band = short(points.band);
+    let words = format!(
+        "Each coordinate may be wrong by {band}{}: no length is exact.",
+        meaning.unit
+    );
+    comment(&mut text, "// ", &words);
+    warnings_as_comments(&mut text, warnings);
+    let _ = writeln!(text, "\n/// A suspension: {kind}.\npub struct {name} {{");
+    text::items(suspension, input, points.band, &mut text);
+    text.push_str("}\n");
+    text::functions(suspension, name, &mut text);
+    text
 }

@@ -11,37 +11,35 @@ mod page {}
 mod choose;
 mod csv_lines;
 mod document;
+mod drawn;
+mod driven_motions;
 mod error;
 mod format;
 mod hard_points;
+mod imported;
 mod joint_table;
 mod linkage2;
 mod mobility;
 mod names;
 mod number;
 mod options;
+mod placement;
 mod pmks;
 mod pylinkage;
 mod pyslvs;
 mod robots;
 mod tidy;
+mod wrapped;
 mod writer;
 mod xml;
 
 use document::Document;
 
+pub use drawn::{Drawn, DrawnPoint, Drive, Measure};
 pub use error::ImportError;
 pub use format::Format;
+pub use imported::Import;
 pub use options::Options;
-
-/// A mechanism that was read from a file of another program.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Import {
-    /// The text of a file with one mechanism.
-    pub text: String,
-    /// Everything that could not be taken, or should be confirmed, one sentence each.
-    pub warnings: Vec<String>,
-}
 
 /// Returns the mechanism of a file as text, with joints and links.
 ///
@@ -57,6 +55,12 @@ pub fn import(content: &[u8], name: &str, options: &Options) -> Result<Import, I
         Some(format) => format,
         None => Format::detected(content, name)?,
     };
+    if options.closures.is_some() && format != Format::Urdf {
+        return Err(ImportError::new(format!(
+            "a file of the format `{}` takes no table of closures\nhelp: only URDF is a tree whose loops are closed elsewhere",
+            format.name()
+        )));
+    }
     let document = match format {
         Format::Linkage => linkage2::read(content)?,
         Format::Pmks => pmks::read(content, name)?,
@@ -64,13 +68,9 @@ pub fn import(content: &[u8], name: &str, options: &Options) -> Result<Import, I
         Format::Pylinkage => pylinkage::read(content)?,
         Format::JointTable => joint_table::read(content)?,
         Format::Mjcf | Format::Urdf | Format::Sdf => {
-            let (text, warnings) = robots::import(content, format, name, options)?;
-            return Ok(Import { text, warnings });
+            return robots::import(content, format, name, options);
         }
-        Format::HardPoints => {
-            let (text, warnings) = hard_points::import(content, name, options)?;
-            return Ok(Import { text, warnings });
-        }
+        Format::HardPoints => return hard_points::import(content, name, options),
     };
     written(document, name, options)
 }
@@ -96,8 +96,8 @@ fn written(mut document: Document, name: &str, options: &Options) -> Result<Impo
     choose::missing(&mut document);
     tidy::drop_dangling_links(&mut document);
     let is_address = name.contains("://");
-    let file = name.rsplit(['/', '\\']).next().unwrap_or_default();
-    let stem = file.split_once('.').map_or(file, |parts| parts.0);
+    let file = names::file(name);
+    let stem = names::stem(name);
     let called = match &options.mechanism {
         Some(mechanism) => mechanism,
         None if !document.name.trim().is_empty() => &document.name,
@@ -106,9 +106,10 @@ fn written(mut document: Document, name: &str, options: &Options) -> Result<Impo
     };
     let type_name = names::type_name(called);
     let file = if is_address { "an address" } else { file };
-    let text = writer::text(&mut document, &type_name, file);
+    let (text, drawn) = writer::text(&mut document, &type_name, file);
     Ok(Import {
         text,
+        drawn,
         warnings: document.warnings,
     })
 }

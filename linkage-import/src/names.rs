@@ -39,6 +39,17 @@ pub(crate) fn in_comment(text: &str) -> String {
         .collect()
 }
 
+/// Returns the name of a file without its folder.
+pub(crate) fn file(path: &str) -> &str {
+    path.rsplit(['/', '\\']).next().unwrap_or_default()
+}
+
+/// Returns the name of a file without its folder and its endings.
+pub(crate) fn stem(path: &str) -> &str {
+    let file = file(path);
+    file.split_once('.').map_or(file, |parts| parts.0)
+}
+
 /// Identifiers that are in use.
 #[derive(Debug)]
 pub(crate) struct Names {

@@ -8,6 +8,9 @@ use crate::names::shown;
 /// The longest number that is read.
 const LONGEST: usize = 60;
 
+/// Wider bands contain whole numbers nearly always.
+pub(crate) const WIDE: f64 = 0.25;
+
 /// A number with the number of digits after its decimal point.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Decimal {
@@ -84,5 +87,31 @@ pub(crate) fn short(value: f64) -> String {
         text.trim_end_matches('0').trim_end_matches('.').to_owned()
     } else {
         text
+    }
+}
+
+/// A length with four digits or more.
+pub(crate) fn short_length(length: f64) -> String {
+    if length >= 1000.0 {
+        format!("{length:.0}")
+    } else {
+        let decimals = (3.0 - length.max(1e-9).log10().floor()).clamp(0.0, 12.0) as usize;
+        plain(format!("{length:.decimals$}").parse().unwrap_or(length))
+    }
+}
+
+/// Returns a length with the band in which the rounding of its file leaves it, and a whole number
+/// within. Without a band it has all digits.
+pub(crate) fn banded(length: f64, band: f64, unit: &str) -> String {
+    if band == 0.0 {
+        return format!("{}{unit}", plain(length));
+    }
+    // One digit more than the band has.
+    let decimals = (1.0 - band.log10().floor()).clamp(0.0, 12.0) as usize;
+    let text = format!("{length:.decimals$} +-{}{unit}", short(band));
+    let whole = length.round();
+    match whole > 0.0 && (length - whole).abs() <= band && band < WIDE {
+        true => format!("{text}; {whole}{unit} is within"),
+        false => text,
     }
 }

@@ -12,6 +12,9 @@ pub struct Options {
     /// Inputs: a pivot and another joint of the link that turns, `"p0,p1"`. They replace those of
     /// the file.
     pub inputs: Vec<String>,
+    /// For URDF: a table of the joints that close loops, as CSV with the columns `name`, `kind`,
+    /// `link1`, `x1`, `y1`, `z1`, `link2`, `x2`, `y2`, `z2`, `axis_x`, `axis_y`, `axis_z`.
+    pub closures: Option<String>,
     /// For hard points: the directions of x, y and z, `forward,left,up`.
     pub axes: Option<String>,
     /// For hard points: the unit of lengths, `mm`.

@@ -6,16 +6,20 @@
 mod analysis;
 mod attribute_numbers;
 mod chain;
+mod effort;
+mod equations;
 mod input_ranges;
 mod mjcf;
 mod model;
 mod motion_plane;
-mod placement;
 mod planar;
+mod planar_bodies;
+mod pose;
 mod rod_bodies;
 mod sdf;
 mod spatial;
 mod spatial_bodies;
+mod spatial_closures;
 mod urdf;
 mod wording;
 
@@ -23,31 +27,33 @@ use std::fmt::Write;
 
 use crate::error::ImportError;
 use crate::format::Format;
-use crate::names::{in_comment, shown, type_name};
+use crate::imported::Import;
+use crate::names::{file as file_name, in_comment, shown, type_name};
+use crate::number::plain;
 use crate::options::Options;
+use crate::wrapped::{comment, item, warnings_as_comments};
 use crate::xml;
 use analysis::analyse;
 use chain::Chain;
 use input_ranges::moves;
 use model::Robot;
 use motion_plane::Plane;
-pub(crate) use placement::{Placement, Vector, cross, difference, dot, length, normals, unit};
 use wording::{Sections, Wording};
 
-/// Reads a robot and writes it as a mechanism. Returns the text and the warnings.
+/// Reads a robot and writes it as a mechanism.
 pub(crate) fn import(
     content: &[u8],
     format: Format,
     file: &str,
     options: &Options,
-) -> Result<(String, Vec<String>), ImportError> {
+) -> Result<Import, ImportError> {
     let text = std::str::from_utf8(content)
         .map_err(|_| ImportError::new("the file is no text in UTF-8"))?;
     let root = xml::read(text)?;
     let robot = match format {
         Format::Mjcf => mjcf::read(&root)?,
         Format::Sdf => sdf::read(&root)?,
-        _ => urdf::read(&root)?,
+        _ => urdf::read(&root, options.closures.as_deref())?,
     };
     if robot.bodies.len() < 2 {
         return Err(ImportError::new(
@@ -76,8 +82,10 @@ pub(crate) fn import(
     let of_shape = analysis.inputs.iter().zip(&inputs);
     let of_shape = of_shape.filter(|(index, _)| moves(&chain, &analysis, **index, &sections.drawn));
     let of_shape: Vec<&str> = of_shape.map(|(_, name)| *name).collect();
+    let drawn = pose::drawn(&wording, &sections);
     let mut warnings = robot.warnings.clone();
     warnings.extend(sections.warnings.iter().cloned());
+    warnings.extend(drawn.confirmation());
     warnings.extend(left_out(&robot));
     let text = written(
         &robot,
@@ -88,7 +96,11 @@ pub(crate) fn import(
         chain.plane,
         &warnings,
     );
-    Ok((text, warnings))
+    Ok(Import {
+        text,
+        warnings,
+        drawn,
+    })
 }
 
 /// Names what is not used.
@@ -113,18 +125,20 @@ fn written(
     plane: Option<Plane>,
     warnings: &[String],
 ) -> String {
-    let mut text = format!("// From {}.\n", in_comment(&shown(file)));
+    let mut text = format!("// From {}.\n", in_comment(&shown(file_name(file))));
     if let Some(plane) = plane {
-        let [x, y] = plane.axes.map(|axis| format!("{axis:?}"));
-        let _ = writeln!(
-            text,
-            "// All hinges are parallel: x is {x} of the file, y is {y}. Distances across are left out."
+        let [x, y] = plane
+            .axes
+            .map(|axis| format!("({})", axis.map(plain).join(", ")));
+        let words = format!(
+            "All hinges are parallel: x is {x} of the file, y is {y}. Distances across are left out."
         );
+        comment(&mut text, "// ", &words);
     }
-    text += "// Angles and shifts are from the drawn position, where all joints of the file are zero.\n";
-    for warning in warnings {
-        let _ = writeln!(text, "// {}", in_comment(warning));
-    }
+    let words =
+        "Angles and shifts are from the drawn position, where all joints of the file are zero.";
+    comment(&mut text, "// ", words);
+    warnings_as_comments(&mut text, warnings);
     let title = in_comment(&shown(&robot.name));
     let _ = writeln!(text, "\n/// {title}\npub struct {name} {{\n    unit m;");
     for lines in [
@@ -139,15 +153,17 @@ fn written(
             text.push('\n');
         }
         for line in lines {
-            let _ = writeln!(text, "    {line}");
+            item(&mut text, 4, line, 0);
         }
     }
     let arguments = inputs.join(", ");
     let quantities = sections.quantities.join(", ");
     let _ = writeln!(
         text,
-        "}}\n\nimpl {name} {{\n    /// Joints and their angles.\n    pub fn motion({arguments}) -> Motion {{ {quantities} }}"
+        "}}\n\nimpl {name} {{\n    /// Joints and their angles.\n    pub fn motion({arguments}) -> Motion {{"
     );
+    item(&mut text, 8, &quantities, 0);
+    text += "    }\n";
     // A link that no input moves has no picture.
     if !sections.links.is_empty() && !of_shape.is_empty() {
         let links: Vec<String> = sections
@@ -157,10 +173,16 @@ fn written(
             .collect();
         let _ = writeln!(
             text,
-            "\n    /// The links, for the drawing.\n    pub fn shape({}) -> Shape {{ shape: picture({}) }}",
-            of_shape.join(", "),
-            links.join(", ")
+            "\n    /// The links, for the drawing.\n    pub fn shape({}) -> Shape {{",
+            of_shape.join(", ")
         );
+        item(
+            &mut text,
+            8,
+            &format!("shape: picture({})", links.join(", ")),
+            1,
+        );
+        text += "    }\n";
     }
     text += "}\n";
     text

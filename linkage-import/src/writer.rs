@@ -3,21 +3,24 @@
 use std::fmt::Write;
 
 use crate::document::Document;
+use crate::drawn::Drawn;
 use crate::names::{in_comment, shown};
-use crate::number::{plain, short};
+use crate::number::{short, short_length};
 
+mod drive;
 mod driven;
+mod motors;
 mod parts;
+mod pose;
 mod sizes;
 mod spelling;
-mod wrapped;
 
-use driven::Drive;
+use crate::wrapped::{comment, item, warnings_as_comments};
+use drive::Drive;
 use spelling::Spelling;
-use wrapped::{COLUMNS, comment};
 
-/// Returns the text, and adds warnings about ranges to those of the document.
-pub(crate) fn text(document: &mut Document, name: &str, file: &str) -> String {
+/// Returns the text with its drawn pose, and adds warnings about ranges to those of the document.
+pub(crate) fn text(document: &mut Document, name: &str, file: &str) -> (String, Drawn) {
     let spelling = Spelling::new(document);
     let drives = driven::drives(document, &spelling);
     confirm(document);
@@ -38,7 +41,7 @@ pub(crate) fn text(document: &mut Document, name: &str, file: &str) -> String {
     parts::loads(document, &spelling, &drives, &mut text);
     text += "}\n";
     functions(document, &spelling, &drives, name, &mut text);
-    text
+    (text, pose::drawn(document, &spelling, &drives))
 }
 
 /// The largest distance shows a wrong unit at once.
@@ -50,16 +53,6 @@ fn confirm(document: &mut Document) {
             "the largest distance, of `{first}` and `{second}`, is {}{unit}: confirm it",
             short_length(distance)
         ));
-    }
-}
-
-/// A length with four digits or more.
-fn short_length(length: f64) -> String {
-    if length >= 1000.0 {
-        format!("{length:.0}")
-    } else {
-        let decimals = (3.0 - length.max(1e-9).log10().floor()).clamp(0.0, 12.0) as usize;
-        plain(format!("{length:.decimals$}").parse().unwrap_or(length))
     }
 }
 
@@ -88,12 +81,7 @@ fn heading(document: &Document, file: &str) -> String {
         let note = format!("Each coordinate may be wrong by {band}{unit}: no length is exact.");
         comment(&mut text, "// ", &note);
     }
-    if !document.warnings.is_empty() {
-        text += "//\n// Not taken, or to be confirmed:\n";
-    }
-    for warning in &document.warnings {
-        comment(&mut text, "// - ", &in_comment(warning));
-    }
+    warnings_as_comments(&mut text, &document.warnings);
     text
 }
 
@@ -108,24 +96,14 @@ fn functions(
     let joints = 0..document.joints.len();
     let moving = joints.filter(|joint| !document.is_fixed(*joint));
     let moving: Vec<&str> = moving.map(|joint| &spelling.joints[joint][..]).collect();
-    let inputs: Vec<&str> = drives.iter().map(|drive| &drive.name[..]).collect();
+    let inputs = drives.iter().filter(|drive| drive.leader.is_none());
+    let inputs: Vec<&str> = inputs.map(|drive| &drive.name[..]).collect();
     let inputs = inputs.join(", ");
     let _ = writeln!(text, "\nimpl {name} {{");
     if !moving.is_empty() {
-        let mut list = String::new();
-        let mut width = 0;
-        for joint in moving {
-            if width + joint.len() > COLUMNS - 14 {
-                list += "\n       ";
-                width = 0;
-            }
-            let _ = write!(list, " {joint},");
-            width += joint.len() + 2;
-        }
-        let _ = writeln!(
-            text,
-            "    pub fn points({inputs}) -> Points {{\n       {list}\n    }}"
-        );
+        let _ = writeln!(text, "    pub fn points({inputs}) -> Points {{");
+        item(text, 8, &format!("{},", moving.join(", ")), 0);
+        *text += "    }\n";
     }
     let _ = writeln!(
         text,

@@ -1,5 +1,7 @@
 //! `linkage import`: a file of another program as a mechanism.
 
+mod compared;
+
 use std::fs::{self, OpenOptions};
 use std::io::{Read, Write};
 use std::path::{Path, PathBuf};
@@ -7,6 +9,7 @@ use std::path::{Path, PathBuf};
 use clap::Args;
 use linkage_import::{Format, Import, import};
 
+use self::compared::compared;
 use super::output::print;
 use crate::failure::{Failure, listed};
 
@@ -36,6 +39,9 @@ pub(super) struct Options {
     /// of a robot the name of a joint
     #[arg(long, value_name = "PIVOT,JOINT")]
     input: Vec<String>,
+    /// For URDF: a table of the joints that close loops, as CSV
+    #[arg(long, value_name = "FILE")]
+    closures: Option<String>,
     /// For points of a suspension: the directions of x, y and z, as `forward,left,up`
     #[arg(long, value_name = "X,Y,Z")]
     axes: Option<String>,
@@ -50,7 +56,7 @@ pub(super) struct Options {
     role: Vec<String>,
 }
 
-/// Writes the mechanism, but never over a file, and prints each warning.
+/// Writes the mechanism, but never over a file, compares it with its file, and prints each warning.
 pub(super) fn run(options: &Options) -> Result<(), Failure> {
     let file = match (&options.file, options.list) {
         (Some(file), false) => file,
@@ -61,23 +67,29 @@ pub(super) fn run(options: &Options) -> Result<(), Failure> {
         format,
         mechanism: options.name.clone(),
         inputs: options.input.clone(),
+        closures: options.closures.as_deref().map(text_of).transpose()?,
         axes: options.axes.clone(),
         length: options.length.clone(),
         side: options.side.clone(),
         roles: options.role.clone(),
     };
     let imported = import(&content(file)?, file, &choices);
-    let Import { text, warnings } = imported.map_err(|error| Failure::Told(error.to_string()))?;
+    let imported = imported.map_err(|error| Failure::Told(error.to_string()))?;
+    let Import { text, warnings, .. } = &imported;
     match &options.output {
-        None => print(&text)?,
+        None => print(text)?,
         Some(file) => {
             let made = OpenOptions::new().write(true).create_new(true).open(file);
             let written = made.and_then(|mut made| made.write_all(text.as_bytes()));
             written.map_err(|error| Failure::file("write", file, &error))?;
         }
     }
-    for warning in warnings {
+    let comparison = compared(&imported);
+    for warning in warnings.iter().chain(&comparison.warnings) {
         eprintln!("warning: {warning}");
+    }
+    if let Some(note) = comparison.note {
+        eprintln!("note: {note}");
     }
     Ok(())
 }
@@ -98,6 +110,12 @@ fn format_named(name: &str) -> Result<Format, Failure> {
             listed(names)
         ))
     })
+}
+
+/// Reads a table.
+fn text_of(file: &str) -> Result<String, Failure> {
+    let text = String::from_utf8(content(file)?);
+    text.map_err(|_| Failure::Told(format!("`{file}` is no text in UTF-8")))
 }
 
 /// Reads a file or the standard input. An address has no content.

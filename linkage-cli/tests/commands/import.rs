@@ -31,7 +31,9 @@ fn an_imported_drawing_is_checked() {
     let (text, warnings) = imported(&folder, &["four bar.csv", "-o", "four_bar.mech"]);
     let distance = "the largest distance, of `o` and `b`, is 116.6mm: confirm it";
     assert_eq!(text, "");
-    assert_eq!(warnings, format!("warning: {distance}\n"));
+    let start = format!("warning: {distance}\nnote: assembled as drawn: `");
+    assert!(warnings.starts_with(&start), "{warnings}");
+    assert_eq!(warnings.lines().count(), 2, "{warnings}");
     let checked = printed(&folder, &["check", "four_bar.mech"]);
     assert!(checked.starts_with("FourBar: mobility 1\n"), "{checked}");
     let row = ["table", "four_bar.mech", "points", "--steps", "2"];
@@ -94,4 +96,67 @@ fn the_standard_input_is_a_file() {
     let output = child.wait_with_output().expect("it ends");
     let text = String::from_utf8(output.stdout).expect("a text");
     assert!(text.contains("pub struct Mechanism {"), "{text}");
+}
+
+/// A pin beside its slot is moved there by the assembly: the command names it.
+#[test]
+fn joints_that_are_not_as_drawn_are_named() {
+    let folder = folder("import_compared");
+    let table = "name,kind,x (mm),y (mm),links,along\n\
+                 o,motor,0.00,0.00,frame crank,\n\
+                 a,pin,20.00,35.00,crank rod,\n\
+                 b,slot,140.00,10.20,frame rod,p q\n\
+                 p,pin,0.00,10.00,frame,\n\
+                 q,pin,200.00,10.00,frame,\n";
+    fs::write(folder.join("press.csv"), table).expect("a table");
+    let (_, warnings) = imported(&folder, &["press.csv", "-o", "press.mech"]);
+    let end = "mm from where the file draws it, and the rounding of the file is 5.0e-3mm\n";
+    assert!(
+        warnings.contains("the point `b` is assembled 0.2"),
+        "{warnings}"
+    );
+    assert!(warnings.contains(end), "{warnings}");
+    assert!(!warnings.contains("note: "), "{warnings}");
+}
+
+#[test]
+fn closures_are_a_table() {
+    let folder = folder("import_closures");
+    let joint = |name: &str, parent: &str, child: &str, xyz: &str| {
+        format!(
+            "<joint name=\"{name}\" type=\"continuous\"><parent link=\"{parent}\"/>\
+             <child link=\"{child}\"/><origin xyz=\"{xyz}\"/><axis xyz=\"0 0 1\"/></joint>"
+        )
+    };
+    let links = ["base", "crank", "rod", "ram"].map(|name| format!("<link name=\"{name}\"/>"));
+    let joints = [
+        joint("hip", "base", "crank", "0 0 0"),
+        joint("knee", "crank", "rod", "0.1 0 0"),
+        joint("wrist", "rod", "ram", "0.3 0 0"),
+    ];
+    let urdf = format!(
+        "<robot name=\"press\">{}{}</robot>",
+        links.concat(),
+        joints.concat()
+    );
+    fs::write(folder.join("press.urdf"), urdf).expect("a robot");
+    let table = "kind,link1,x1,y1,z1,link2,axis_x,axis_y,axis_z\nslide,ram,0,0,0,base,1,0,0\n";
+    fs::write(folder.join("loops.csv"), table).expect("a table");
+    let arguments = ["press.urdf", "--closures", "loops.csv", "-o", "press.mech"];
+    let (_, warnings) = imported(&folder, &arguments);
+    assert!(
+        warnings.contains("note: assembled as drawn: "),
+        "{warnings}"
+    );
+    let checked = printed(&folder, &["check", "press.mech"]);
+    assert!(checked.starts_with("Press: mobility 1\n"), "{checked}");
+    let error = refused(
+        &folder,
+        &["import", "press.urdf", "--closures", "none.csv"],
+        1,
+    );
+    assert!(
+        error.starts_with("error: cannot read `none.csv`: "),
+        "{error}"
+    );
 }

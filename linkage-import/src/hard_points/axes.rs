@@ -3,7 +3,7 @@
 use crate::error::ImportError;
 use crate::names::shown;
 use crate::options::Options;
-use crate::robots::Vector;
+use crate::placement::Vector;
 
 const AXES: &str = "`forward,left,up` (ISO 8855), `forward,right,down` (SAE J670), `rear,right,up`, or the directions of x, y and z in any other order";
 

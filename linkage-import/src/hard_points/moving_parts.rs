@@ -1,42 +1,27 @@
-//! Points that move with the carrier, a wishbone or the rocker; the rocker and the damper.
+//! The rocker with its push rod, and the damper.
 
 use super::rocker::{Outer, Rocker, wishbone_axes};
 use super::roles::Points;
-use super::suspension::Suspension;
+use super::suspension::{LinkLine, Suspension};
 use crate::error::ImportError;
-use crate::robots::{Vector, difference, dot, length, unit};
+use crate::placement::{Vector, difference, dot, length, unit};
+
+/// The roles that a rocker needs.
+const ROCKER: [&str; 3] = ["rocker_pivot", "rocker_axis", "push_rocker"];
 
 impl Suspension {
-    /// A point of a wishbone, as a name; its frame is a `let`.
+    /// A point of a wishbone, where it is drawn and in the frame of the wishbone.
     fn on_wishbone(&mut self, points: &Points, role: &str, arm: &str) -> Option<(Vector, Outer)> {
-        let [front, rear, ball] = ["front", "rear", "ball"].map(|end| format!("{arm}_{end}"));
-        if !points.has(&[&front, &rear, &ball]) {
-            return None;
-        }
-        let [front_at, rear_at, ball_at] =
-            [&front, &rear, &ball].map(|role| points.point(role).unwrap_or_default());
-        let at = points.point(role)?;
-        let frame = format!("{arm}_wishbone");
-        let line = format!("let {frame} = frame({front}, {rear} - {front}, {ball} - {front});");
-        if !self.lets.contains(&line) {
-            self.lets.push(line);
-        }
-        // The axes of that frame where it is drawn.
-        let axes = wishbone_axes(front_at, rear_at, ball_at)?;
-        let apart = difference(at, front_at);
-        let inner = axes.map(|axis| dot(axis, apart));
-        let local = self.point(inner);
-        self.parameters.push(format!(
-            "param {arm}_{role} = {local};    // in the frame of the wishbone"
-        ));
-        self.lets
-            .push(format!("let {role} = point_in({frame}, {arm}_{role});"));
-        self.quantities.push(role.to_owned());
+        let [front, rear, ball] =
+            ["front", "rear", "ball"].map(|end| points.point(&format!("{arm}_{end}")));
+        let at = self.on_link(points, role, &format!("{arm}_arm"))?;
+        let axes = wishbone_axes(front?, rear?, ball?)?;
+        let apart = difference(at, front?);
         let outer = Outer::Wishbone {
-            front: front_at,
-            rear: rear_at,
-            ball: ball_at,
-            local: inner,
+            front: front?,
+            rear: rear?,
+            ball: ball?,
+            local: axes.map(|axis| dot(axis, apart)),
         };
         Some((at, outer))
     }
@@ -48,15 +33,17 @@ impl Suspension {
             if points.point(&role).is_none() || prefix == "push" && end == "rocker" {
                 continue;
             }
+            let has_link = |link: &str| self.links.iter().any(|line| line.name == link);
             let at = match end {
                 "carrier" => self
                     .on_carrier(points, &role)
                     .map(|at| (at, Outer::Carrier(at))),
                 // Only of a damper, whose end needs no reach.
-                "rocker" => self
-                    .on_rocker(points, &role)
+                "rocker" if has_link("rocker") => self
+                    .on_link(points, &role, "rocker")
                     .map(|at| (at, Outer::Carrier(at))),
-                arm => self.on_wishbone(points, &role, arm),
+                arm if has_link(&format!("{arm}_arm")) => self.on_wishbone(points, &role, arm),
+                _ => None,
             };
             match at {
                 Some((at, outer)) => return Some((role, at, outer)),
@@ -68,35 +55,24 @@ impl Suspension {
         None
     }
 
-    fn on_rocker(&mut self, points: &Points, role: &str) -> Option<Vector> {
-        let pivot = points.point("rocker_pivot")?;
-        if !points.has(&["rocker_axis", "push_rocker"]) {
-            return None;
-        }
-        let at = points.point(role)?;
-        let local = self.point(difference(at, pivot));
-        self.parameters.push(format!(
-            "param rocker_{role} = {local};    // from the pivot"
-        ));
-        self.lets.push(format!(
-            "let {role} = rocker_pivot + turn(rocker_{role}, rocker_axis - rocker_pivot, rocker);"
-        ));
-        self.quantities.push(role.to_owned());
-        Some(at)
-    }
-
     /// The rocker turns with the push rod.
     pub(super) fn rocker(&mut self, points: &Points) -> Result<(), ImportError> {
-        let roles = ["rocker_pivot", "rocker_axis", "push_rocker"];
-        if !points.has(&roles) {
-            for role in roles.iter().filter(|role| points.has(&[**role])) {
+        if !points.has(&ROCKER) {
+            for role in ROCKER.iter().filter(|role| points.has(&[**role])) {
                 self.warnings.push(format!(
                     "the point `{role}` needs also {}: it is left out",
-                    roles.join(", ").replace(&format!("{role}, "), "")
+                    ROCKER.join(", ").replace(&format!("{role}, "), "")
                 ));
             }
             return Ok(());
         }
+        let Some((outer, outer_at, on)) = self.moving(points, "push") else {
+            self.warnings.push(
+                "no point has the role `push_carrier`, `push_lower` or `push_upper`: the rocker is left out"
+                    .to_owned(),
+            );
+            return Ok(());
+        };
         let (Some(pivot), Some(axis)) = (
             self.chassis(points, "rocker_pivot"),
             self.chassis(points, "rocker_axis"),
@@ -108,33 +84,28 @@ impl Suspension {
                 "both points on the axis of the rocker are one",
             ));
         }
-        let Some((outer, outer_at, on)) = self.moving(points, "push") else {
-            self.warnings.push(
-                "no point has the role `push_carrier`, `push_lower` or `push_upper`: the rocker is left out"
-                    .to_owned(),
-            );
+        self.links.push(LinkLine {
+            name: "rocker".to_owned(),
+            joints: vec!["rocker_pivot".to_owned()],
+            clause: " about rocker_axis - rocker_pivot".to_owned(),
+            lengths: Vec::new(),
+        });
+        let Some(inner) = self.on_link(points, "push_rocker", "rocker") else {
             return Ok(());
         };
-        let Some(inner_at) = self.on_rocker(points, "push_rocker") else {
-            return Ok(());
-        };
-        self.unknowns.push("unknown rocker = 0deg;".to_owned());
-        let push_rod = length(difference(outer_at, inner_at));
+        self.rod_link("push_rod", [&outer, "push_rocker"]);
         self.rocker = Some(Rocker {
             outer: on,
             pivot,
             axis,
-            inner: inner_at,
-            push_rod,
+            inner,
+            push_rod: length(difference(outer_at, inner)),
         });
-        let long = self.length(push_rod);
-        self.parameters.push(format!("param push_rod = {long};"));
-        self.loops
-            .push(format!("loop distance({outer}, push_rocker) = push_rod;"));
-        self.quantities.push("rocker".to_owned());
+        self.quantities.push("rocker: rocker.angle".to_owned());
         Ok(())
     }
 
+    /// The length of the damper.
     pub(super) fn damper(&mut self, points: &Points) {
         if self.chassis(points, "damper_chassis").is_none() {
             return;

@@ -8,8 +8,8 @@ use saphyr_parser::{Event, Parser};
 use crate::csv_lines::line_number;
 use crate::error::ImportError;
 use crate::names::shown;
-use crate::number::{decimal, with_point};
-use crate::robots::Vector;
+use crate::number::{Decimal, decimal, with_point};
+use crate::placement::Vector;
 
 /// More points than any suspension has.
 const MOST_POINTS: usize = 500;
@@ -30,11 +30,13 @@ pub(super) struct NamedPoint {
 #[derive(Default)]
 pub(super) struct Table {
     pub(super) points: Vec<NamedPoint>,
+    /// The most decimals of a coordinate.
+    pub(super) decimals: usize,
     pub(super) others: Vec<String>,
 }
 
 impl Table {
-    fn add(&mut self, name: &str, numbers: &[f64]) -> Result<(), ImportError> {
+    fn add(&mut self, name: &str, numbers: &[Decimal]) -> Result<(), ImportError> {
         let word = word(name);
         let [x, y, z] = *numbers else {
             self.others.push(shown(name));
@@ -53,8 +55,10 @@ impl Table {
         }
         self.points.push(NamedPoint {
             name: word,
-            at: [x, y, z],
+            at: [x, y, z].map(|number| number.value),
         });
+        let decimals = numbers.iter().map(|number| number.decimals);
+        self.decimals = decimals.fold(self.decimals, usize::max);
         Ok(())
     }
 }
@@ -72,10 +76,10 @@ pub(super) fn word(name: &str) -> String {
     word.trim_end_matches('_').to_owned()
 }
 
-fn coordinate(text: &str, name: &str) -> Result<f64, ImportError> {
-    let value = decimal(text, &format!("a coordinate of `{}`", shown(name)))?.value;
-    match value.abs() < LARGEST {
-        true => Ok(value),
+fn coordinate(text: &str, name: &str) -> Result<Decimal, ImportError> {
+    let number = decimal(text, &format!("a coordinate of `{}`", shown(name)))?;
+    match number.value.abs() < LARGEST {
+        true => Ok(number),
         false => Err(ImportError::new(format!(
             "a coordinate of `{}` is too large",
             shown(name)
@@ -144,9 +148,9 @@ struct Open {
     path: String,
     /// `None` for a list.
     key: Option<Option<String>>,
-    numbers: Vec<f64>,
+    numbers: Vec<Decimal>,
     /// Coordinates by their names.
-    by_axis: [Option<f64>; 3],
+    by_axis: [Option<Decimal>; 3],
 }
 
 /// Reads YAML (or JSON): lists of three numbers, or maps of x, y and z. Names of maps around a point

@@ -1,6 +1,6 @@
 //! The rocker at the end of a push rod: the travels at which the rod reaches it.
 
-use crate::robots::{Placement, Vector, cross, difference, dot, length, unit};
+use crate::placement::{Placement, Vector, cross, difference, dot, length, unit};
 
 /// The cosine of the rocker's angle to its dead point that is near enough to be avoided.
 const BESIDE: f64 = 0.97;

@@ -6,8 +6,9 @@ use super::axes::Meaning;
 use super::point_table::{Table, word};
 use crate::error::ImportError;
 use crate::names::shown;
+use crate::number::half_digit;
 use crate::options::Options;
-use crate::robots::Vector;
+use crate::placement::Vector;
 
 /// All roles, each with its meaning.
 pub(super) const ROLES: [(&str, &str); 34] = [
@@ -117,6 +118,10 @@ pub(super) struct Points {
     /// Double wishbone, strut or five rods.
     pub(super) kind: &'static str,
     pub(super) by_role: BTreeMap<&'static str, Vector>,
+    /// Names in the file that are not the role.
+    pub(super) names: BTreeMap<&'static str, String>,
+    /// The largest rounding error of a coordinate.
+    pub(super) band: f64,
     /// Points without a role, and what is no point.
     pub(super) others: Vec<String>,
 }
@@ -160,6 +165,7 @@ pub(super) fn points(
         roles.insert(word(name), role);
     }
     let mut by_role = BTreeMap::new();
+    let mut names = BTreeMap::new();
     let mut others = table.others;
     for point in table.points {
         match roles.get(&point.name) {
@@ -168,6 +174,9 @@ pub(super) fn points(
                     return Err(ImportError::new(format!(
                         "two points have the role `{role}`"
                     )));
+                }
+                if point.name != *role {
+                    names.insert(*role, point.name);
                 }
             }
             None => others.push(shown(&point.name)),
@@ -193,6 +202,8 @@ pub(super) fn points(
     Ok(Points {
         kind,
         by_role,
+        names,
+        band: half_digit(table.decimals),
         others,
     })
 }

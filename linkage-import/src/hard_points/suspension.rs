@@ -1,12 +1,13 @@
-//! The text of a suspension.
+//! A suspension as joints and links: its points, links and loops.
 
 use super::axes::Meaning;
 use super::rocker::Rocker;
 use super::roles::Points;
 use super::wheel_travel::{Hold, reach};
+use crate::drawn::{Drawn, DrawnPoint, Drive, Measure};
 use crate::error::ImportError;
 use crate::number::plain;
-use crate::robots::{Placement, Vector, difference, length, normals, unit};
+use crate::placement::{Placement, Vector, cross, difference, length};
 
 /// The largest travel that is tried, as a part of the distance from the chassis to the wheel.
 const MOST_TRAVEL: f64 = 0.15;
@@ -14,41 +15,51 @@ const MOST_TRAVEL: f64 = 0.15;
 /// The part of a reach that is left out next to a dead point.
 const BESIDE: f64 = 0.9;
 
-/// The lines of a suspension.
-#[derive(Default)]
-pub(super) struct Suspension {
-    pub(super) parameters: Vec<String>,
-    pub(super) unknowns: Vec<String>,
-    pub(super) lets: Vec<String>,
-    pub(super) loops: Vec<String>,
-    pub(super) quantities: Vec<String>,
-    pub(super) warnings: Vec<String>,
-    holds: Vec<Hold>,
-    pub(super) rocker: Option<Rocker>,
-    unit: &'static str,
-    centre: Vector,
+/// Points of the carrier on one line, as a part of the square of its size, give no axes.
+const FLAT: f64 = 1e-6;
+
+/// A joint where it is drawn.
+pub(super) struct JointLine {
+    pub(super) name: String,
+    pub(super) at: Vector,
+    pub(super) note: String,
+    pub(super) is_of_file: bool,
 }
 
-/// A rod of the carrier: its name, its roles on the chassis and on the carrier.
-type RodRoles = (&'static str, &'static str, &'static str);
+/// A link with its joints and its clauses.
+pub(super) struct LinkLine {
+    pub(super) name: String,
+    pub(super) joints: Vec<String>,
+    pub(super) clause: String,
+    /// Distances of points that the link keeps.
+    pub(super) lengths: Vec<[String; 2]>,
+}
 
-const WISHBONES: [RodRoles; 5] = [
-    ("lower_front_arm", "lower_front", "lower_ball"),
-    ("lower_rear_arm", "lower_rear", "lower_ball"),
-    ("upper_front_arm", "upper_front", "upper_ball"),
-    ("upper_rear_arm", "upper_rear", "upper_ball"),
-    ("tie_rod", "tie_inner", "tie_outer"),
-];
-
-const STRUT: [RodRoles; 3] = [WISHBONES[0], WISHBONES[1], WISHBONES[4]];
-
-const RODS: [RodRoles; 5] = [
-    ("rod1", "rod1_inner", "rod1_outer"),
-    ("rod2", "rod2_inner", "rod2_outer"),
-    ("rod3", "rod3_inner", "rod3_outer"),
-    ("rod4", "rod4_inner", "rod4_outer"),
-    ("rod5", "rod5_inner", "rod5_outer"),
-];
+/// The parts of a suspension.
+#[derive(Default)]
+pub(super) struct Suspension {
+    pub(super) joints: Vec<JointLine>,
+    /// Joints of the chassis.
+    pub(super) frame: Vec<String>,
+    pub(super) links: Vec<LinkLine>,
+    /// Lines in front of the links.
+    pub(super) parameters: Vec<String>,
+    pub(super) loops: Vec<String>,
+    pub(super) lets: Vec<String>,
+    pub(super) quantities: Vec<String>,
+    pub(super) warnings: Vec<String>,
+    /// The joints of the carrier.
+    carrier: Vec<(String, Vector)>,
+    /// The quantities that are points, where they are drawn.
+    points: Vec<(String, Vector)>,
+    pub(super) holds: Vec<Hold>,
+    pub(super) rocker: Option<Rocker>,
+    pub(super) unit: &'static str,
+    pub(super) centre: Vector,
+    band: f64,
+    /// The inner end of the tie rod, which is no joint but a point on the rack.
+    pub(super) rack_end: Option<Vector>,
+}
 
 impl Suspension {
     /// Writes all parts of the suspension.
@@ -57,6 +68,7 @@ impl Suspension {
         let mut suspension = Self {
             unit: meaning.unit,
             centre,
+            band: points.band,
             ..Self::default()
         };
         if centre[1] * meaning.outside() <= 0.0 {
@@ -70,37 +82,182 @@ impl Suspension {
                 if meaning.is_left { "left" } else { "right" }
             )));
         }
-        suspension.unknowns.push(format!(
-            "unknown carrier = frame({}, (1, 0, 0), (0, 0, 1));",
-            suspension.point(centre)
-        ));
-        suspension.loops.push(format!(
-            "loop carrier.origin.z = {} + travel;",
-            suspension.length(centre[2])
-        ));
-        suspension
-            .lets
-            .push("let wheel_centre = carrier.origin;".to_owned());
-        suspension.quantities.push("wheel_centre".to_owned());
-        let rods: &[RodRoles] = match points.kind {
-            "five rods" => &RODS,
-            "strut" => &STRUT,
-            _ => &WISHBONES,
-        };
-        for rod in rods {
-            suspension.rod(points, *rod);
-        }
-        if points.kind == "strut" {
-            suspension.strut(points)?;
-        }
+        suspension.on_carrier(points, "wheel_centre");
+        let height = suspension.length(centre[2]);
+        let of_travel = format!("loop wheel_centre.z = {height} + travel;");
+        suspension.loops.push(of_travel);
+        suspension.suspended(points)?;
         suspension.wheel(points, meaning);
         suspension.rocker(points)?;
         suspension.damper(points);
+        let carrier = suspension.carrier_link()?;
+        suspension.links.insert(0, carrier);
         Ok(suspension)
     }
 
+    /// Adds a joint, once.
+    fn joint(&mut self, name: &str, at: Vector, note: String, is_of_file: bool) {
+        if !self.joints.iter().any(|joint| joint.name == name) {
+            self.joints.push(JointLine {
+                name: name.to_owned(),
+                at,
+                note,
+                is_of_file,
+            });
+        }
+    }
+
+    fn joint_of_role(&mut self, points: &Points, role: &str) -> Option<Vector> {
+        let at = points.point(role)?;
+        let name = points.names.get(role);
+        let note = name.map_or_else(String::new, |name| format!("{name} in the file"));
+        self.joint(role, at, note, true);
+        Some(at)
+    }
+
+    /// A point of the chassis.
+    pub(super) fn chassis(&mut self, points: &Points, role: &str) -> Option<Vector> {
+        let at = self.joint_of_role(points, role)?;
+        if !self.frame.iter().any(|name| name == role) {
+            self.frame.push(role.to_owned());
+        }
+        Some(at)
+    }
+
+    /// A point of the carrier.
+    pub(super) fn on_carrier(&mut self, points: &Points, role: &str) -> Option<Vector> {
+        let at = self.joint_of_role(points, role)?;
+        if !self.carrier.iter().any(|(name, _)| name == role) {
+            self.carrier.push((role.to_owned(), at));
+            self.quantity(role, at);
+        }
+        Some(at)
+    }
+
+    /// A point of the carrier that the file does not have.
+    pub(super) fn beside_carrier(&mut self, name: &str, at: Vector) {
+        self.joint(name, at, "not in the file".to_owned(), false);
+        self.carrier.push((name.to_owned(), at));
+    }
+
+    /// A point of a link that turns about an axis of the chassis.
+    pub(super) fn on_link(&mut self, points: &Points, role: &str, link: &str) -> Option<Vector> {
+        let at = self.joint_of_role(points, role)?;
+        let link = self.links.iter_mut().find(|line| line.name == link)?;
+        if !link.joints.iter().any(|name| name == role) {
+            let pivot = link.joints[0].clone();
+            link.lengths.push([pivot, role.to_owned()]);
+            link.joints.push(role.to_owned());
+            self.quantity(role, at);
+        }
+        Some(at)
+    }
+
+    /// A rod between two ball joints.
+    pub(super) fn rod_link(&mut self, name: &str, ends: [&str; 2]) {
+        let ends = ends.map(ToOwned::to_owned);
+        self.links.push(LinkLine {
+            name: name.to_owned(),
+            joints: ends.to_vec(),
+            clause: String::new(),
+            lengths: vec![ends],
+        });
+    }
+
+    /// The carrier: its axes are given by the wheel centre and the two points that are least on one
+    /// line with it, which come first.
+    fn carrier_link(&self) -> Result<LinkLine, ImportError> {
+        let area = |a: Vector, b: Vector| {
+            length(cross(
+                difference(a, self.centre),
+                difference(b, self.centre),
+            ))
+        };
+        let others = &self.carrier[1..];
+        let pairs = others
+            .iter()
+            .enumerate()
+            .flat_map(|(index, a)| others[index + 1..].iter().map(move |b| (a, b)));
+        let areas = pairs.map(|(a, b)| (area(a.1, b.1), [&a.0, &b.0]));
+        let (most, first) = areas
+            .max_by(|a, b| a.0.total_cmp(&b.0))
+            .unwrap_or((0.0, [&self.carrier[0].0; 2]));
+        let size = others
+            .iter()
+            .map(|(_, at)| length(difference(*at, self.centre)));
+        if most <= FLAT * size.fold(0.0, f64::max).powi(2) {
+            return Err(ImportError::new(
+                "all points of the carrier are on one line: the points do not make a suspension",
+            ));
+        }
+        let mut joints = vec![
+            self.carrier[0].0.clone(),
+            first[0].clone(),
+            first[1].clone(),
+        ];
+        for (name, _) in others {
+            if !joints.contains(name) {
+                joints.push(name.clone());
+            }
+        }
+        Ok(LinkLine {
+            name: "carrier".to_owned(),
+            joints,
+            clause: String::new(),
+            lengths: Vec::new(),
+        })
+    }
+
+    /// Adds a point that moves to the quantities.
+    fn quantity(&mut self, role: &str, at: Vector) {
+        self.quantities.push(role.to_owned());
+        self.points.push((role.to_owned(), at));
+    }
+
+    /// The drawn pose; the travel shifts the wheel centre.
+    pub(super) fn drawn(&self) -> Drawn {
+        let moving = self.points.iter().map(|(name, at)| (name, *at, false));
+        let fixed = self.joints.iter();
+        let fixed = fixed.filter(|joint| self.frame.contains(&joint.name));
+        let fixed = fixed.map(|joint| (&joint.name, joint.at, true));
+        let points = moving
+            .chain(fixed)
+            .map(|(name, position, is_fixed)| DrawnPoint {
+                name: name.clone(),
+                position,
+                is_fixed,
+            });
+        let travel = Drive {
+            input: "travel".to_owned(),
+            rate: 1.0,
+            measure: Measure::Shift {
+                point: 0,
+                origin: None,
+                along: [0.0, 0.0, 1.0],
+                base: None,
+            },
+        };
+        Drawn {
+            function: "motion",
+            unit: self.unit,
+            band: self.band,
+            points: points.collect(),
+            drives: vec![travel],
+        }
+    }
+
+    /// The position of a point where it is drawn.
+    pub(super) fn position(&self, name: &str) -> Option<Vector> {
+        let mut joints = self.joints.iter();
+        let joint = joints.find(|joint| joint.name == name);
+        match joint {
+            Some(joint) => Some(joint.at),
+            None => self.rack_end.filter(|_| name == "tie_inner"),
+        }
+    }
+
     /// The input, with the range in which the carrier is held.
-    pub(super) fn input(&mut self, points: &Points) -> Result<String, ImportError> {
+    pub(super) fn input(&self, points: &Points) -> Result<String, ImportError> {
         let inner = points
             .by_role
             .values()
@@ -141,127 +298,6 @@ impl Suspension {
     pub(super) fn point(&self, point: Vector) -> String {
         let all = point.map(|value| self.length(value));
         format!("({})", all.join(", "))
-    }
-
-    pub(super) fn chassis(&mut self, points: &Points, role: &str) -> Option<Vector> {
-        let at = points.point(role)?;
-        let line = format!("param {role} = {};", self.point(at));
-        if !self.parameters.contains(&line) {
-            self.parameters.push(line);
-        }
-        Some(at)
-    }
-
-    /// A point of the carrier, as a name.
-    pub(super) fn on_carrier(&mut self, points: &Points, role: &str) -> Option<Vector> {
-        let at = points.point(role)?;
-        let line = format!("let {role} = point_in(carrier, carrier_{role});");
-        if !self.lets.contains(&line) {
-            let local = self.point(difference(at, self.centre));
-            self.parameters.push(format!(
-                "param carrier_{role} = {local};    // from the wheel centre"
-            ));
-            self.lets.push(line);
-            self.quantities.push(role.to_owned());
-        }
-        Some(at)
-    }
-
-    fn rod(&mut self, points: &Points, (name, inner, outer): RodRoles) {
-        let (Some(fixed), Some(moving)) =
-            (self.chassis(points, inner), self.on_carrier(points, outer))
-        else {
-            return;
-        };
-        let long = self.length(length(difference(moving, fixed)));
-        self.parameters.push(format!("param {name} = {long};"));
-        let mut on_chassis = inner.to_owned();
-        if inner == "tie_inner" {
-            // The rack goes across the car.
-            self.parameters.push(format!(
-                "param rack = 0{};    // shift of the rack to the left; which way it steers follows",
-                self.unit
-            ));
-            on_chassis = format!("{inner} + (0{u}, rack, 0{u})", u = self.unit);
-        }
-        self.loops
-            .push(format!("loop distance({outer}, {on_chassis}) = {name};"));
-        self.holds.push(Hold::Rod { fixed, moving });
-    }
-
-    /// The upper mount is on the axis of the strut, which is fixed on the carrier.
-    fn strut(&mut self, points: &Points) -> Result<(), ImportError> {
-        let (Some(fixed), Some(moving)) = (
-            self.chassis(points, "strut_top"),
-            self.on_carrier(points, "strut_bottom"),
-        ) else {
-            return Ok(());
-        };
-        let Some(along) = unit(difference(fixed, moving)) else {
-            return Err(ImportError::new("both ends of the strut are one point"));
-        };
-        let across = normals(along);
-        for (name, normal) in ["strut_n", "strut_m"].iter().zip(across) {
-            let [x, y, z] = normal.map(plain);
-            self.lets.push(format!(
-                "let {name} = {x} * carrier.x + {y} * carrier.y + {z} * carrier.z;"
-            ));
-            self.loops.push(format!(
-                "loop dot(strut_top - strut_bottom, {name}) = 0{};",
-                self.unit
-            ));
-        }
-        self.quantities
-            .push("strut: distance(strut_top, strut_bottom)".to_owned());
-        self.holds.push(Hold::Line {
-            fixed,
-            moving,
-            normals: across,
-        });
-        Ok(())
-    }
-
-    /// Camber and toe, if the axis of the wheel is known.
-    fn wheel(&mut self, points: &Points, meaning: &Meaning) {
-        if points.point("contact").is_some() {
-            self.on_carrier(points, "contact");
-        }
-        let Some(at) = points.point("spindle") else {
-            self.warnings.push(
-                "no point has the role `spindle`: the axis of the wheel is not known, so there is no camber and no toe"
-                    .to_owned(),
-            );
-            return;
-        };
-        let axis = difference(at, self.centre);
-        // Towards the outside.
-        let sign = if axis[1] * meaning.outside() < 0.0 {
-            -1.0
-        } else {
-            1.0
-        };
-        let Some(axis) = unit(axis.map(|component| sign * component)) else {
-            self.warnings
-                .push("the `spindle` is the wheel centre: no camber and no toe".to_owned());
-            return;
-        };
-        let [x, y, z] = axis.map(plain);
-        self.lets.push(format!(
-            "let wheel_axis = {x} * carrier.x + {y} * carrier.y + {z} * carrier.z;    // to the outside"
-        ));
-        let across = if meaning.is_left {
-            "wheel_axis.y"
-        } else {
-            "-wheel_axis.y"
-        };
-        self.lets.push(
-            "let camber = -asin(wheel_axis.z);    // positive: the top is outside".to_owned(),
-        );
-        self.lets.push(format!(
-            "let toe = atan2(wheel_axis.x, {across});    // positive: the front is inside"
-        ));
-        self.quantities
-            .extend(["camber", "toe"].map(ToOwned::to_owned));
     }
 }
 

@@ -1,6 +1,6 @@
 //! The wheel carrier: what holds it, and how far it goes.
 
-use crate::robots::{Placement, Vector, cross, difference, dot, length, unit};
+use crate::placement::{Placement, Vector, cross, difference, dot, length, unit};
 
 /// Travels to each side that are tried.
 const TRIES: usize = 100;

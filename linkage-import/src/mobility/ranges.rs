@@ -4,6 +4,7 @@ use std::cell::Cell;
 use std::f64::consts::TAU;
 
 use crate::document::{Document, InputKind};
+use crate::driven_motions::{DrivenMotion, driven_motions, spread};
 
 use super::built::system;
 use super::constraints::{Pose, System};
@@ -40,8 +41,8 @@ const MOST_CORNER_INPUTS: usize = 5;
 /// Numbers of values of an input in the test of a box.
 const BOX_VALUES: usize = 9;
 
-/// Returns the change of each input from the drawing, from the least to the greatest, in radians
-/// or in the unit of length. Inputs that cannot move have equal bounds.
+/// Returns the change of each [motion](driven_motions) from the drawing, from the least to the greatest, in
+/// radians or in the unit of length. Inputs that cannot move have equal bounds.
 pub(crate) fn ranges(document: &Document) -> Option<Vec<[f64; 2]>> {
     let kinds: Vec<InputKind> = document.inputs.iter().map(|input| input.kind).collect();
     let system = system(document, &kinds)?;
@@ -51,24 +52,27 @@ pub(crate) fn ranges(document: &Document) -> Option<Vec<[f64; 2]>> {
     if solution.rank < system.unknowns() || kinds.is_empty() {
         return None;
     }
+    let motions = driven_motions(document);
     let walk = Walk {
         system: &system,
+        motions: &motions,
         left: Cell::new(MOST_OPERATIONS),
         rank: solution.rank,
         is_negative: solution.is_negative,
     };
     let mut ranges = Vec::new();
-    for input in 0..kinds.len() {
-        ranges.push(single(&walk, document, &kinds, input));
+    for motion in 0..motions.len() {
+        ranges.push(single(&walk, document, motion));
     }
-    if kinds.len() > 1 {
+    if motions.len() > 1 {
         let fits = |part: &&f64| is_box(&walk, &scaled(&ranges, **part));
         let part = BOXES.iter().find(fits).copied().unwrap_or(0.0);
         ranges = scaled(&ranges, part);
     }
-    let lengths = kinds.iter().zip(&mut ranges);
-    for (_, range) in lengths.filter(|(kind, _)| !matches!(kind, InputKind::Crank { .. })) {
-        *range = range.map(|bound| bound * system.size());
+    for (motion, range) in motions.iter().zip(&mut ranges) {
+        if !matches!(kinds[motion.leader], InputKind::Crank { .. }) {
+            *range = range.map(|bound| bound * system.size());
+        }
     }
     Some(ranges)
 }
@@ -82,6 +86,7 @@ fn scaled(ranges: &[[f64; 2]], part: f64) -> Vec<[f64; 2]> {
 
 struct Walk<'t> {
     system: &'t System,
+    motions: &'t [DrivenMotion],
     /// Operations that are left.
     left: Cell<u64>,
     rank: usize,
@@ -90,9 +95,10 @@ struct Walk<'t> {
 }
 
 impl Walk<'_> {
-    /// Returns the pose of other input values, which are near those of a pose.
+    /// Returns the pose of other values of the motions, which are near those of a pose.
     fn step(&self, pose: &Pose, values: &[f64]) -> Option<Pose> {
         let mut next = pose.clone();
+        let values = &spread(self.motions, values)[..];
         for _ in 0..MOST_ITERATIONS {
             let rows = self.system.rows(&next, values);
             let error = rows
@@ -123,9 +129,11 @@ impl Walk<'_> {
         None
     }
 
-    /// Returns the pose at the end of a straight way between values of inputs.
+    /// Returns the pose at the end of a straight way between values of the motions.
     fn walk(&self, pose: &Pose, from: &[f64], to: &[f64]) -> Option<Pose> {
-        let longest = from.iter().zip(to).map(|(a, b)| (b - a).abs());
+        let way: Vec<f64> = from.iter().zip(to).map(|(a, b)| b - a).collect();
+        let way = spread(self.motions, &way).into_iter();
+        let longest = way.map(f64::abs);
         let steps = (longest.fold(0.0, f64::max) / (3.0 * ANGLE_STEP))
             .ceil()
             .max(1.0);
@@ -139,11 +147,21 @@ impl Walk<'_> {
     }
 }
 
-/// Returns the range of one input while the others stay.
-fn single(walk: &Walk, document: &Document, kinds: &[InputKind], input: usize) -> [f64; 2] {
+/// Returns the range of one motion while the others stay.
+fn single(walk: &Walk, document: &Document, motion: usize) -> [f64; 2] {
     let size = walk.system.size();
-    let (step, bounds) = match kinds[input] {
-        InputKind::Crank { .. } => (ANGLE_STEP, [-TAU, TAU]),
+    let DrivenMotion {
+        leader: input,
+        ref followers,
+        turns,
+    } = walk.motions[motion];
+    let turns = f64::from(turns) * TAU;
+    let kind = document.inputs[input].kind;
+    let (step, bounds) = match kind {
+        InputKind::Crank { .. } => {
+            let ratios = followers.iter().map(|(_, ratio)| ratio.abs());
+            (ANGLE_STEP / ratios.fold(1.0, f64::max), [-turns, turns])
+        }
         InputKind::Length { link } => {
             let joints = &document.links[link].joints;
             let length = document.distance(joints[0], joints[1]) / size;
@@ -158,15 +176,15 @@ fn single(walk: &Walk, document: &Document, kinds: &[InputKind], input: usize) -
             (LENGTH_STEP, travel.unwrap_or([-LONGEST, LONGEST]))
         }
     };
-    let is_crank = matches!(kinds[input], InputKind::Crank { .. });
-    let reach = bounds.map(|bound| reached(walk, kinds.len(), input, bound, step));
+    let is_crank = matches!(kind, InputKind::Crank { .. });
+    let reach = bounds.map(|bound| reached(walk, motion, bound, step));
     if is_crank
         && reach
             .iter()
             .any(|end| end.is_end && is_whole_turn(&end.pose))
     {
         // A whole turn in one sense is a whole turn in the other one.
-        return [-0.5 * TAU, 0.5 * TAU];
+        return [-0.5 * turns, 0.5 * turns];
     }
     let [low, high] = &reach;
     let margin = MARGIN * (high.value - low.value);
@@ -207,7 +225,7 @@ struct Reached {
 }
 
 /// Walks towards a bound, to the last value that is reached.
-fn reached(walk: &Walk, inputs: usize, input: usize, bound: f64, step: f64) -> Reached {
+fn reached(walk: &Walk, motion: usize, bound: f64, step: f64) -> Reached {
     let mut end = Reached {
         value: 0.0,
         is_end: false,
@@ -216,8 +234,8 @@ fn reached(walk: &Walk, inputs: usize, input: usize, bound: f64, step: f64) -> R
     let mut length = step;
     while end.value.abs() < bound.abs() {
         let next = (end.value.abs() + length).min(bound.abs()).copysign(bound);
-        let mut values = vec![0.0; inputs];
-        values[input] = next;
+        let mut values = vec![0.0; walk.motions.len()];
+        values[motion] = next;
         match walk.step(&end.pose, &values) {
             Some(pose) => {
                 end.pose = pose;

@@ -1,6 +1,8 @@
 //! Which joints are inputs, and which equations follow from others.
 
 use super::chain::Chain;
+use super::effort::Effort;
+use super::equations::Equation;
 use crate::error::ImportError;
 use crate::names::shown;
 
@@ -44,6 +46,10 @@ pub(super) struct Analysis {
     pub(super) inputs: Vec<usize>,
     /// For each equation, false if it follows from those before it.
     pub(super) is_needed: Vec<bool>,
+    /// All equations where the robot is drawn.
+    pub(super) rows: Vec<Equation>,
+    /// The effort that is left for searches of ranges.
+    pub(super) effort: Effort,
     /// The gap of each closure where it is drawn, as a part of the size or in radians.
     pub(super) gaps: Vec<f64>,
 }
@@ -105,6 +111,8 @@ pub(super) fn analyse(chain: &Chain, names: &[String]) -> Result<Analysis, Impor
     Ok(Analysis {
         inputs,
         is_needed,
+        rows,
+        effort: Effort::new(),
         gaps,
     })
 }

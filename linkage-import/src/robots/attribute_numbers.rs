@@ -3,6 +3,7 @@
 use crate::error::ImportError;
 use crate::names::shown;
 use crate::number::decimal;
+use crate::placement::{Vector, unit};
 use crate::xml::XmlElement;
 
 /// The largest number of a file that describes a mechanism in metres and kilograms.
@@ -45,4 +46,10 @@ pub(super) fn attribute<const N: usize>(
     let text = element.attribute(name);
     let full = || format!("`{name}` of `{}`", shown(&element.name));
     text.map(|text| exactly(text, &full())).transpose()
+}
+
+/// Returns the axis of a joint as a unit vector.
+pub(super) fn axis_of(axis: Vector, name: &str) -> Result<Vector, ImportError> {
+    unit(axis)
+        .ok_or_else(|| ImportError::new(format!("the axis of the joint `{}` is zero", shown(name))))
 }

@@ -1,11 +1,9 @@
-//! The equations of a robot's loops, and their derivatives with respect to the joints.
+//! The coordinates of a robot's joints, and the positions of its bodies.
 
-use super::model::{ClosingJoint, Closure, Motion, Robot};
+use super::model::{Closure, Motion, Robot};
 use super::motion_plane::Plane;
-use super::placement::{
-    AXES, FIXED, Placement, Vector, cross, difference, dot, length, normals, scaled, sum, unit,
-};
 use super::rod_bodies::{Rod, rods};
+use crate::placement::{AXES, FIXED, Placement, Vector, cross, difference, scaled, sum, unit};
 
 /// A number of a joint.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -26,6 +24,8 @@ pub(super) struct Chain<'r> {
     pub(super) rods: Vec<Rod>,
     pub(super) coordinates: Vec<Coordinate>,
     pub(super) size: f64,
+    /// For each body, the bodies that it hangs on, itself included.
+    carriers: Vec<Vec<bool>>,
 }
 
 /// The position of a robot: the value of each coordinate's joint, or its placement.
@@ -37,15 +37,6 @@ pub(super) struct Pose {
     joints: Vec<Placement>,
     /// From drawn to current positions.
     pub(super) bodies: Vec<Placement>,
-}
-
-/// An equation: its error, and the changes by all coordinates.
-#[derive(Clone, Debug)]
-pub(super) struct Equation {
-    /// The closure that it belongs to.
-    pub(super) closure: usize,
-    pub(super) error: f64,
-    pub(super) changes: Vec<f64>,
 }
 
 impl<'r> Chain<'r> {
@@ -61,6 +52,7 @@ impl<'r> Chain<'r> {
             rods,
             coordinates: Vec::new(),
             size: robot.size().max(f64::MIN_POSITIVE),
+            carriers: carriers(robot),
         };
         for body in 1..robot.bodies.len() {
             if !chain.rods.iter().any(|rod| rod.body == body) {
@@ -145,7 +137,7 @@ impl<'r> Chain<'r> {
     }
 
     /// The slope of a joint's value with respect to that of the joint that leads it, and that joint.
-    fn led_by(&self, pose: &Pose, body: usize) -> (usize, f64) {
+    pub(super) fn led_by(&self, pose: &Pose, body: usize) -> (usize, f64) {
         let joint = self.robot.bodies[body].joint.as_ref();
         let Some((leader, powers)) = joint.and_then(|joint| joint.follows.as_ref()) else {
             return (body, 1.0);
@@ -157,6 +149,32 @@ impl<'r> Chain<'r> {
         });
         let (first, outer) = self.led_by(pose, *leader);
         (first, outer * slope)
+    }
+
+    /// The nearest body that carries both ends of a closure by hinges and slides alone, else the
+    /// fixed one. In the plane, it is the fixed one.
+    pub(super) fn common_carrier(&self, closure: &Closure) -> usize {
+        let joint = |body: usize| self.robot.bodies[body].joint.as_ref();
+        let parent = |body: &usize| joint(*body).map(|joint| joint.parent);
+        let [a, b] = closure.bodies;
+        let mut carriers = std::iter::successors(Some(a), parent);
+        let common = carriers
+            .find(|carrier| self.carriers[b][*carrier])
+            .unwrap_or(0);
+        let is_seen = |end: usize| {
+            std::iter::successors(Some(end), parent)
+                .take_while(|body| *body != common)
+                .all(|body| {
+                    joint(body).is_some_and(|joint| match joint.motion {
+                        Motion::Hinge(_) | Motion::Slide(_) | Motion::Fixed => true,
+                        Motion::Ball | Motion::Free => false,
+                    })
+                })
+        };
+        match self.plane.is_none() && is_seen(a) && is_seen(b) {
+            true => common,
+            false => 0,
+        }
     }
 
     /// True for a coordinate of a joint that follows no other.
@@ -184,14 +202,14 @@ impl<'r> Chain<'r> {
     }
 
     /// The velocity of a point of a body and its angular velocity, for a change of a coordinate.
-    fn velocity(
+    pub(super) fn velocity(
         &self,
         pose: &Pose,
         coordinate: &Coordinate,
         body: usize,
         point: Vector,
     ) -> Option<[Vector; 2]> {
-        if !self.robot.hangs_on(body, coordinate.body) {
+        if !self.carriers[body][coordinate.body] {
             return None;
         }
         let joint = self.robot.bodies[coordinate.body].joint.as_ref()?;
@@ -201,135 +219,23 @@ impl<'r> Chain<'r> {
         let shift = placed.direction(coordinate.shift);
         Some([sum(shift, cross(turn, arm)), turn])
     }
+}
 
-    /// All equations at a position, lengths as parts of the size.
-    pub(super) fn rows(&self, pose: &Pose) -> Vec<Equation> {
-        let mut rows = Vec::new();
-        for (number, closure) in self.robot.closures.iter().enumerate() {
-            match self.rods.iter().find(|rod| rod.closure == number) {
-                Some(rod) => rows.push(self.rod_row(pose, rod)),
-                None => self.closure_rows(pose, number, closure, &mut rows),
-            }
+/// Returns for each body the bodies that it hangs on. A parent is not always before its children.
+fn carriers(robot: &Robot) -> Vec<Vec<bool>> {
+    let parent = |body: &usize| {
+        let joint = robot.bodies[*body].joint.as_ref();
+        joint.map(|joint| joint.parent)
+    };
+    let count = robot.bodies.len();
+    let of_body = |body: usize| {
+        let mut carries = vec![false; count];
+        for carrier in std::iter::successors(Some(body), parent) {
+            carries[carrier] = true;
         }
-        rows
-    }
-
-    fn rod_row(&self, pose: &Pose, rod: &Rod) -> Equation {
-        let [a, b] = rod.ends;
-        let [at_a, at_b] = [a, b].map(|(body, at)| pose.bodies[body].point(at));
-        let apart = difference(at_a, at_b);
-        let along = unit(apart).unwrap_or(AXES[0]);
-        let changes = self.coordinates.iter().map(|coordinate| {
-            let part = |body, at| {
-                let velocity = self.velocity(pose, coordinate, body, at);
-                velocity.map_or(0.0, |[velocity, _]| dot(velocity, along))
-            };
-            (part(a.0, at_a) - part(b.0, at_b)) / self.size
-        });
-        Equation {
-            closure: rod.closure,
-            error: (length(apart) - rod.length) / self.size,
-            changes: self.combined(pose, changes.collect()),
-        }
-    }
-
-    /// Adds the changes of joints that follow others to those of their leaders.
-    fn combined(&self, pose: &Pose, mut changes: Vec<f64>) -> Vec<f64> {
-        for (index, coordinate) in self.coordinates.iter().enumerate() {
-            if self.is_independent(coordinate) {
-                continue;
-            }
-            let (leader, slope) = self.led_by(pose, coordinate.body);
-            let change = std::mem::take(&mut changes[index]);
-            let led_by = self.coordinates.iter().position(|c| c.body == leader);
-            if let Some(leader) = led_by {
-                changes[leader] += slope * change;
-            }
-        }
-        changes
-    }
-
-    fn closure_rows(
-        &self,
-        pose: &Pose,
-        number: usize,
-        closure: &Closure,
-        rows: &mut Vec<Equation>,
-    ) {
-        let [a, b] = closure.bodies;
-        let at_a = pose.bodies[a].point(closure.at[0]);
-        let at_b = pose.bodies[b].point(closure.at[1]);
-        let apart = difference(at_a, at_b);
-        let mut shift = |direction: Vector| {
-            let changes = self.coordinates.iter().map(|coordinate| {
-                let part = |body| {
-                    let velocity = self.velocity(pose, coordinate, body, at_a);
-                    velocity.map_or(0.0, |[velocity, _]| dot(velocity, direction))
-                };
-                (part(a) - part(b)) / self.size
-            });
-            rows.push(Equation {
-                closure: number,
-                error: dot(apart, direction) / self.size,
-                changes: self.combined(pose, changes.collect()),
-            });
-        };
-        match (closure.closing, self.plane) {
-            (ClosingJoint::Slide(axis), Some(plane)) => {
-                shift(pose.bodies[b].direction(cross(plane.normal, axis)));
-            }
-            (ClosingJoint::Slide(axis), None) => normals(axis)
-                .into_iter()
-                .for_each(|normal| shift(pose.bodies[b].direction(normal))),
-            (_, Some(plane)) => plane.axes.into_iter().for_each(shift),
-            (_, None) => AXES.into_iter().for_each(shift),
-        }
-        for (axis, error) in self.turns(pose, closure) {
-            let changes = self.coordinates.iter().map(|coordinate| {
-                let part = |body| {
-                    let velocity = self.velocity(pose, coordinate, body, at_a);
-                    velocity.map_or(0.0, |[_, turn]| dot(turn, axis))
-                };
-                part(a) - part(b)
-            });
-            rows.push(Equation {
-                closure: number,
-                error,
-                changes: self.combined(pose, changes.collect()),
-            });
-        }
-    }
-
-    /// The directions about which a closure turns nothing, with its error about each.
-    fn turns(&self, pose: &Pose, closure: &Closure) -> Vec<(Vector, f64)> {
-        let [a, b] = closure.bodies.map(|body| pose.bodies[body]);
-        let relative = a.then(&b.inverse());
-        let error = |axis: Vector| {
-            // Half of the antisymmetric part.
-            let sum = AXES.iter().fold([0.0; 3], |total, near| {
-                sum(total, cross(*near, relative.direction(*near)))
-            });
-            0.5 * dot(sum, axis)
-        };
-        match (closure.closing, self.plane) {
-            (ClosingJoint::Point, _) | (ClosingJoint::Hinge(_), Some(_)) => Vec::new(),
-            (ClosingJoint::Hinge(axis), None) => {
-                let along = a.direction(axis);
-                normals(axis)
-                    .map(|normal| {
-                        let normal = b.direction(normal);
-                        (cross(along, normal), dot(along, normal))
-                    })
-                    .to_vec()
-            }
-            (ClosingJoint::Slide(_) | ClosingJoint::Weld, Some(plane)) => {
-                vec![(plane.normal, error(plane.normal))]
-            }
-            (ClosingJoint::Slide(_) | ClosingJoint::Weld, None) => {
-                AXES.map(|axis| (axis, error(axis))).to_vec()
-            }
-        }
-    }
+        carries
+    };
+    (0..count).map(of_body).collect()
 }
 
 /// A joint that moves by a value from where it is drawn.

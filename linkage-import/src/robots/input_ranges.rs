@@ -1,8 +1,9 @@
 //! How far inputs go: the robot is moved from its drawn position until a loop opens.
 
 use super::analysis::Analysis;
-use super::chain::{Chain, Equation, Pose};
-use super::placement::{Vector, difference, length};
+use super::chain::{Chain, Pose};
+use super::equations::Equation;
+use crate::placement::{Vector, difference, length};
 
 /// Newton steps for a position, and the error that is none.
 const MOST_STEPS: usize = 30;
@@ -53,8 +54,12 @@ pub(super) fn reach(
 
 /// The factor by which the ranges of several inputs must be shortened so that the loops close at all
 /// corners of their box.
-pub(super) fn common_share(chain: &Chain, analysis: &Analysis, ranges: &[[f64; 2]]) -> f64 {
-    let count = analysis.inputs.len();
+pub(super) fn common_share(
+    chain: &Chain,
+    analysis: &Analysis,
+    ranges: &[(usize, [f64; 2])],
+) -> f64 {
+    let count = ranges.len();
     if !(2..=MOST_CORNERS).contains(&count) {
         return 1.0;
     }
@@ -65,10 +70,9 @@ pub(super) fn common_share(chain: &Chain, analysis: &Analysis, ranges: &[[f64; 2
         let is_closed = (0..1_usize << count).all(|corner| {
             let mut pose = drawn.clone();
             (0..CORNER_STEPS).all(|_| {
-                let step = |k: usize| share * ranges[k][corner >> k & 1] / CORNER_STEPS as f64;
                 let mut changes = vec![0.0; chain.coordinates.len()];
-                for (k, input) in analysis.inputs.iter().enumerate() {
-                    changes[*input] = step(k);
+                for (k, (input, ends)) in ranges.iter().enumerate() {
+                    changes[*input] = share * ends[corner >> k & 1] / CORNER_STEPS as f64;
                 }
                 settle(chain, analysis, &mut pose, &changes)
                     && pivot(chain, analysis, &chain.rows(&pose)) >= FLAT * margin
@@ -150,6 +154,9 @@ fn pivot(chain: &Chain, analysis: &Analysis, rows: &[Equation]) -> f64 {
 /// The step of all coordinates but the inputs that closes the needed equations, and the smallest
 /// pivot.
 fn solved(chain: &Chain, analysis: &Analysis, rows: &[Equation]) -> Option<(Vec<f64>, f64)> {
+    if !analysis.effort.step(rows.len()) {
+        return None;
+    }
     let free: Vec<usize> = (0..chain.coordinates.len())
         .filter(|index| {
             let coordinate = &chain.coordinates[*index];

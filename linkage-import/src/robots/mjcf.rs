@@ -4,12 +4,11 @@
 
 use std::collections::BTreeMap;
 
-use super::attribute_numbers::{attribute, numbers};
+use super::attribute_numbers::{attribute, axis_of, numbers};
 use super::model::{Joint, Mass, Motion, Robot, joint};
-use super::placement::{AXES, FIXED, Placement, Vector};
-use super::urdf::axis_of;
 use crate::error::ImportError;
 use crate::names::shown;
+use crate::placement::{AXES, FIXED, Placement, Vector};
 use crate::xml::XmlElement;
 
 mod constraints;

@@ -5,12 +5,15 @@
 
 use std::collections::BTreeMap;
 
-use super::placement::{Vector, difference, dot, scaled, sum};
 use crate::error::ImportError;
 use crate::names::shown;
+use crate::placement::{Vector, difference, dot, scaled, sum};
 
 /// More bodies than any mechanism that is worth a closed form.
 const MOST_BODIES: usize = 400;
+
+/// More loops than such a mechanism has.
+const MOST_CLOSURES: usize = 400;
 
 /// The relative motion that a joint allows.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -118,6 +121,17 @@ impl Robot {
             masses: Vec::new(),
         });
         Ok(self.bodies.len() - 1)
+    }
+
+    /// Adds a joint that closes a loop.
+    pub(crate) fn close(&mut self, closure: Closure) -> Result<(), ImportError> {
+        if self.closures.len() >= MOST_CLOSURES {
+            return Err(ImportError::new(format!(
+                "the file has more than {MOST_CLOSURES} loops"
+            )));
+        }
+        self.closures.push(closure);
+        Ok(())
     }
 
     /// The body of the joint of this name.

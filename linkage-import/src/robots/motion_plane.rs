@@ -1,7 +1,7 @@
 //! The plane of a robot whose hinges are parallel.
 
 use super::model::{ClosingJoint, Motion, Robot};
-use super::placement::{AXES, Vector, cross, dot, normals};
+use crate::placement::{AXES, Vector, cross, dot, normals};
 
 /// The sine of the angle between axes that count as parallel: the rounding of eight decimals.
 const PARALLEL: f64 = 1e-7;

@@ -1,21 +1,21 @@
 //! The text of a robot that moves in a plane.
 
-use super::model::{ClosingJoint, Joint, Motion};
+use super::model::{ClosingJoint, Closure, Joint, Motion};
 use super::motion_plane::Plane;
-use super::placement::{Vector, cross, dot};
-use super::wording::{Sections, Wording, digits};
+use super::wording::{Sections, Wording};
+use crate::placement::{Vector, cross};
 
 /// The text of a plane mechanism that is being written.
-struct Writer<'w, 'c> {
-    wording: &'w mut Wording<'c>,
-    plane: Plane,
+pub(super) struct Writer<'w, 'c> {
+    pub(super) wording: &'w mut Wording<'c>,
+    pub(super) plane: Plane,
     /// The angle of each body; none for bodies that do not turn.
-    turns: Vec<Option<String>>,
-    sections: Sections,
+    pub(super) turns: Vec<Option<String>>,
+    pub(super) sections: Sections,
     /// Parameters by bodies and what they lead to.
-    offsets: Vec<(usize, [f64; 2], String)>,
+    pub(super) offsets: Vec<(usize, [f64; 2], String)>,
     /// The joints that close loops, between bodies.
-    closing_pins: Vec<String>,
+    pub(super) closing_joints: Vec<String>,
 }
 
 /// Writes the mechanism.
@@ -27,7 +27,7 @@ pub(super) fn sections(wording: &mut Wording, plane: Plane) -> Sections {
         turns: vec![None; count],
         sections: Sections::default(),
         offsets: Vec::new(),
-        closing_pins: Vec::new(),
+        closing_joints: Vec::new(),
     };
     writer.wording.inputs(&mut writer.sections);
     writer.sections.lets = writer.wording.lets_of_followers();
@@ -41,7 +41,7 @@ pub(super) fn sections(wording: &mut Wording, plane: Plane) -> Sections {
 }
 
 impl Writer<'_, '_> {
-    fn turn(&self, body: usize) -> String {
+    pub(super) fn turn(&self, body: usize) -> String {
         self.turns[body]
             .clone()
             .unwrap_or_else(|| "0deg".to_owned())
@@ -62,7 +62,7 @@ impl Writer<'_, '_> {
     }
 
     /// The point or the direction of a body: turned with it.
-    fn turned(&self, body: usize, vector: &str) -> String {
+    pub(super) fn turned(&self, body: usize, vector: &str) -> String {
         match &self.turns[body] {
             Some(turn) => format!("rotate({vector}, {turn})"),
             None => vector.to_owned(),
@@ -70,7 +70,7 @@ impl Writer<'_, '_> {
     }
 
     /// A point of a body from where it is drawn. `what` is the end of the name of its offset.
-    fn carried(&mut self, body: usize, at: Vector, what: &str) -> String {
+    pub(super) fn carried(&mut self, body: usize, at: Vector, what: &str) -> String {
         let drawn = self.plane.coordinates(at);
         let Some(joint) = &self.wording.body(body).joint else {
             return self.wording.point(&drawn);
@@ -159,7 +159,13 @@ impl Writer<'_, '_> {
                 self.turns[body] = Some(format!("{name}.angle"));
             }
         }
-        self.sections.quantities.push(pivot);
+        let bodies = match joint.motion {
+            Motion::Slide(_) => vec![body],
+            Motion::Hinge(_) | Motion::Ball | Motion::Free | Motion::Fixed => {
+                vec![body, joint.parent]
+            }
+        };
+        self.sections.point(pivot, bodies, joint.at);
         if let Some(turn) = &self.turns[body]
             && !turn.contains('.')
             && !self.sections.quantities.contains(turn)
@@ -193,13 +199,9 @@ impl Writer<'_, '_> {
                 }
             };
             let has_all = self.wording.equations(index, &texts, &mut self.sections);
-            // A pin that follows from the others would have no certain force.
-            let is_pin = matches!(
-                closure.closing,
-                ClosingJoint::Point | ClosingJoint::Hinge(_)
-            );
-            if is_pin && has_all {
-                self.closing_pin(&name, closure.bodies, &first);
+            // A joint of which equations follow from others would have no certain force.
+            if has_all {
+                self.closing_joint(&name, closure, &first);
             }
             self.wording.gap(index, &mut self.sections);
             if closure.closing == ClosingJoint::Point || closure.closing == ClosingJoint::Weld {
@@ -208,124 +210,33 @@ impl Writer<'_, '_> {
                     crate::names::shown(&closure.name)
                 ));
             }
-            self.sections.quantities.push(first);
+            self.sections
+                .point(first, vec![closure.bodies[0]], closure.at[0]);
         }
     }
 
-    /// Adds the pin that closes a loop. Fixed bodies come second.
-    fn closing_pin(&mut self, name: &str, [a, b]: [usize; 2], point: &str) {
+    /// Adds the joint of the mechanics that closes a loop. Fixed bodies come second.
+    fn closing_joint(&mut self, name: &str, closure: &Closure, point: &str) {
+        let [a, b] = closure.bodies;
+        let (kind, clause) = match closure.closing {
+            ClosingJoint::Point | ClosingJoint::Hinge(_) => ("pin", String::new()),
+            ClosingJoint::Slide(axis) => {
+                let axis = self.wording.direction(&self.plane.coordinates(axis));
+                ("slide", format!(" along {}", self.turned(b, &axis)))
+            }
+            ClosingJoint::Weld => ("fixed", String::new()),
+        };
         let is_body = self.wording.bodies.iter().any(|body| body == name);
         let name = match is_body {
-            true => self.wording.names.unique(&format!("{name}_pin"), "pin_"),
+            true => self
+                .wording
+                .names
+                .unique(&format!("{name}_{kind}"), "joint_"),
             false => name.to_owned(),
         };
         let [first, second] = [a.max(b), a.min(b)].map(|body| &self.wording.bodies[body]);
-        self.closing_pins
-            .push(format!("pin {name} = {first} on {second} at {point};"));
-    }
-
-    /// The points of each link.
-    fn links(&mut self) {
-        let robot = self.wording.chain.robot;
-        let mut links: Vec<Vec<(String, [f64; 2])>> = vec![Vec::new(); robot.bodies.len()];
-        let joints = robot.bodies.iter().enumerate();
-        let joints = joints.filter_map(|(body, of_body)| Some((body, of_body.joint.as_ref()?.at)));
-        let closures = robot.closures.iter();
-        let ends =
-            closures.flat_map(|closure| [0, 1].map(|end| (closure.bodies[end], closure.at[end])));
-        self.sections.drawn = joints.chain(ends).collect();
-        for (index, body) in robot.bodies.iter().enumerate() {
-            let Some(joint) = &body.joint else {
-                continue;
-            };
-            let point = (
-                self.wording.pivots[index].clone(),
-                self.plane.coordinates(joint.at),
-            );
-            if !matches!(joint.motion, Motion::Slide(_)) {
-                links[joint.parent].push(point.clone());
-            }
-            links[index].push(point);
-        }
-        let lets = self.sections.lets.clone();
-        for (closure, body, end) in robot
-            .closures
-            .iter()
-            .flat_map(|closure| [0, 1].map(|end| (closure, closure.bodies[end], end)))
-        {
-            // The names of the ends are those of the lets.
-            let text = self.carried(body, closure.at[end], "end");
-            let of_let = lets.iter().find_map(|line| {
-                let (name, value) = line.strip_prefix("let ")?.split_once(" = ")?;
-                (value == format!("{text};")).then(|| name.to_owned())
-            });
-            if let Some(name) = of_let {
-                links[body].push((name, self.plane.coordinates(closure.at[end])));
-            }
-        }
-        for points in links.iter().skip(1) {
-            let mut distinct: Vec<&(String, [f64; 2])> = Vec::new();
-            for point in points {
-                let is_new = distinct.iter().all(|other| {
-                    (other.1[0] - point.1[0]).hypot(other.1[1] - point.1[1])
-                        > 1e-9 * self.wording.chain.size
-                });
-                if is_new {
-                    distinct.push(point);
-                }
-            }
-            if distinct.len() > 1 {
-                let names = distinct.iter().map(|point| point.0.clone()).collect();
-                self.sections.links.push(names);
-            }
-        }
-    }
-
-    /// Bodies with their masses, if every body hangs on a joint.
-    fn masses(&mut self) {
-        let robot = self.wording.chain.robot;
-        if let Some(gravity) = robot.gravity {
-            let [x, y] = self.plane.coordinates(gravity).map(digits);
-            self.sections
-                .bodies
-                .push(format!("gravity = ({x}m/s^2, {y}m/s^2);"));
-        }
-        let joints = robot.bodies.iter().filter_map(|body| body.joint.as_ref());
-        if joints.clone().any(|joint| joint.motion == Motion::Free) {
-            self.sections
-                .warnings
-                .push("masses are left out, because a body floats".to_owned());
-            return;
-        }
-        for (index, body) in robot.bodies.iter().enumerate() {
-            let Some(joint) = &body.joint else {
-                continue;
-            };
-            let on = &self.wording.bodies[joint.parent];
-            let pivot = &self.wording.pivots[index];
-            let kind = match joint.motion {
-                Motion::Hinge(_) | Motion::Ball | Motion::Free => {
-                    format!("pin on {on} at {pivot}, turns {}", self.turn(index))
-                }
-                Motion::Slide(axis) => {
-                    let direction = self.wording.direction(&self.plane.coordinates(axis));
-                    let along = self.turned(joint.parent, &direction);
-                    format!("slide on {on} at {pivot} along {along}")
-                }
-                Motion::Fixed => format!("fixed on {on} at {pivot}"),
-            };
-            let mut line = format!("body {} = {kind}", self.wording.bodies[index]);
-            if let Some(mass) = body.mass() {
-                let centre = self.carried(index, mass.centre, "centre");
-                let n = self.plane.normal;
-                let inertia = dot(n, mass.inertia.map(|row| dot(row, n)));
-                line += &format!(", mass {}kg at {centre}", digits(mass.mass));
-                if inertia > 0.0 {
-                    line += &format!(", inertia {}kg*m^2", digits(inertia));
-                }
-            }
-            self.sections.bodies.push(line + ";");
-        }
-        self.sections.bodies.append(&mut self.closing_pins);
+        self.closing_joints.push(format!(
+            "{kind} {name} = {first} on {second} at {point}{clause};"
+        ));
     }
 }

@@ -1,7 +1,7 @@
 //! Bodies between two balls, which are distances.
 
 use super::model::{ClosingJoint, Motion, Robot};
-use super::placement::{Vector, difference, length};
+use crate::placement::{Vector, difference, length};
 
 /// A rod between two balls, which has no body: the distance of two points.
 #[derive(Clone, Copy, Debug, PartialEq)]

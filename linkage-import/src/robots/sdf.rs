@@ -7,10 +7,10 @@ use std::collections::BTreeMap;
 
 use super::attribute_numbers::exactly;
 use super::model::{ClosingJoint, Closure, Mass, Motion, Robot, joint, tensor};
-use super::placement::{FIXED, Vector};
 use super::urdf::follow;
 use crate::error::ImportError;
 use crate::names::shown;
+use crate::placement::{FIXED, Vector};
 use crate::xml::XmlElement;
 
 mod poses;
@@ -279,13 +279,12 @@ fn close(
             )));
         }
     };
-    robot.closures.push(Closure {
+    robot.close(Closure {
         name: name.to_owned(),
         closing,
         bodies,
         at: [at; 2],
-    });
-    Ok(())
+    })
 }
 
 fn add_mass(

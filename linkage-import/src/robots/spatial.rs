@@ -2,9 +2,9 @@
 
 use std::collections::BTreeMap;
 
-use super::model::{ClosingJoint, Motion};
-use super::placement::{AXES, Vector, difference, length, normals};
+use super::model::Motion;
 use super::wording::{Sections, Wording};
+use crate::placement::{Vector, difference, length};
 
 /// The text of a mechanism of space that is being written.
 pub(super) struct Writer<'w, 'c> {
@@ -45,9 +45,16 @@ impl Writer<'_, '_> {
         rods.any(|rod| rod.body == body)
     }
 
-    /// A vector that is turned as a body is.
-    fn turned(&self, body: usize, vector: String, is_length: bool) -> String {
-        let Some(joint) = &self.wording.body(body).joint else {
+    /// A vector that is turned as a body is, seen from a body that carries it: the first one is fixed.
+    pub(super) fn turned(
+        &self,
+        base: usize,
+        body: usize,
+        vector: String,
+        is_length: bool,
+    ) -> String {
+        let joint = self.wording.body(body).joint.as_ref();
+        let Some(joint) = joint.filter(|_| body != base) else {
             return vector;
         };
         let name = &self.wording.joints[body];
@@ -55,9 +62,9 @@ impl Writer<'_, '_> {
             Motion::Hinge(axis) => {
                 let axis = self.wording.direction(&axis);
                 let inner = format!("turn({vector}, {axis}, {name})");
-                self.turned(joint.parent, inner, is_length)
+                self.turned(base, joint.parent, inner, is_length)
             }
-            Motion::Slide(_) | Motion::Fixed => self.turned(joint.parent, vector, is_length),
+            Motion::Slide(_) | Motion::Fixed => self.turned(base, joint.parent, vector, is_length),
             Motion::Ball | Motion::Free => match is_length {
                 true => format!("(point_in({name}, {vector}) - {name}.origin)"),
                 false => format!("((point_in({name}, 1m * {vector}) - {name}.origin) / 1m)"),
@@ -67,7 +74,12 @@ impl Writer<'_, '_> {
 
     /// A direction of a body from where it is drawn.
     pub(super) fn direction(&self, body: usize, direction: Vector) -> String {
-        self.turned(body, self.wording.direction(&direction), false)
+        self.direction_on(0, body, direction)
+    }
+
+    /// A direction of a body, seen from a body that carries it.
+    pub(super) fn direction_on(&self, base: usize, body: usize, direction: Vector) -> String {
+        self.turned(base, body, self.wording.direction(&direction), false)
     }
 
     /// A point of a body from where it is drawn.
@@ -75,14 +87,23 @@ impl Writer<'_, '_> {
         let Some(joint) = &self.wording.body(body).joint else {
             return self.wording.point(&at);
         };
-        let offset = difference(at, joint.at);
+        let pivot = joint.at;
         let name = self.wording.pivots[body].clone();
+        match self.offset(body, difference(at, pivot), what) {
+            Some(offset) => format!("{name} + {}", self.turned(0, body, offset, true)),
+            None => name,
+        }
+    }
+
+    /// The parameter of the way from the pivot of a body to a point of the body; none if they are
+    /// one.
+    pub(super) fn offset(&mut self, body: usize, offset: Vector, what: &str) -> Option<String> {
         if length(offset) < 1e-12 * self.wording.chain.size {
-            return name;
+            return None;
         }
         let same = |known: &&(usize, Vector, String)| known.0 == body && known.1 == offset;
         let known = self.offsets.iter().find(same).map(|known| known.2.clone());
-        let offset_name = known.unwrap_or_else(|| {
+        Some(known.unwrap_or_else(|| {
             let wanted = format!("{}_{what}", self.wording.bodies[body]);
             let unique = self.wording.names.unique(&wanted, "of_");
             let value = self.wording.point(&offset);
@@ -91,8 +112,7 @@ impl Writer<'_, '_> {
                 .push(format!("param {unique} = {value};"));
             self.offsets.push((body, offset, unique.clone()));
             unique
-        });
-        format!("{name} + {}", self.turned(body, offset_name, true))
+        }))
     }
 
     fn body(&mut self, body: usize) {
@@ -141,86 +161,12 @@ impl Writer<'_, '_> {
                 }
             }
         }
-        self.sections.quantities.push(pivot);
-    }
-
-    fn closure(&mut self, index: usize) {
-        let closure = &self.wording.chain.robot.closures[index];
-        let name = self.wording.names.unique(&closure.name, "loop_");
-        let rods = self.wording.chain.rods.iter();
-        let rod = rods.copied().find(|rod| rod.closure == index);
-        if let Some(rod) = rod {
-            let [first, second] = rod.ends;
-            let first = self.carried(first.0, first.1, &name);
-            let second = self.carried(second.0, second.1, &name);
-            let wanted = format!("{}_length", self.wording.bodies[rod.body]);
-            let long = self.wording.names.unique(&wanted, "rod_");
-            let value = self.wording.metres(rod.length);
-            self.sections
-                .parameters
-                .push(format!("param {long} = {value};"));
-            let end = self.wording.names.unique(&format!("{name}_end"), "loop_");
-            self.sections.lets.push(format!("let {end} = {second};"));
-            let texts = [(Vec::new(), [format!("distance({first}, {end})"), long])];
-            self.wording.equations(index, &texts, &mut self.sections);
-            self.wording.gap(index, &mut self.sections);
-            let [rod_name, other] =
-                [rod.body, rod.ends[1].0].map(|body| self.wording.bodies[body].clone());
-            self.closing_joints
-                .push(format!("ball {name} = {rod_name} on {other} at {end};"));
-            self.rod_ends.insert(rod.body, end.clone());
-            self.sections.quantities.push(end);
-            return;
-        }
-        let [a, b] = closure.bodies;
-        let [first, second] = [0, 1].map(|end| {
-            let text = self.carried(closure.bodies[end], closure.at[end], &name);
-            let wanted = format!("{name}_{}", ["a", "b"][end]);
-            let point = self.wording.names.unique(&wanted, "loop_");
-            self.sections.lets.push(format!("let {point} = {text};"));
-            point
-        });
-        let components = ["x", "y", "z"].map(ToOwned::to_owned).to_vec();
-        let together = (components, [first.clone(), second.clone()]);
-        let right_angle = |one: Vector, other: Vector| {
-            let text = format!(
-                "dot({}, {})",
-                self.direction(a, one),
-                self.direction(b, other)
-            );
-            (Vec::new(), [text, "0".to_owned()])
-        };
-        // About x, y and z.
-        let turns = [0, 1, 2].map(|k| right_angle(AXES[(k + 1) % 3], AXES[(k + 2) % 3]));
-        let (kind, clause) = match closure.closing {
-            ClosingJoint::Point => ("ball", String::new()),
-            ClosingJoint::Weld => ("fixed", String::new()),
-            ClosingJoint::Hinge(axis) => ("pin", format!(" about {}", self.direction(a, axis))),
-            ClosingJoint::Slide(axis) => ("slide", format!(" along {}", self.direction(b, axis))),
-        };
-        let texts = match closure.closing {
-            ClosingJoint::Point => vec![together],
-            ClosingJoint::Weld => [vec![together], turns.to_vec()].concat(),
-            ClosingJoint::Hinge(axis) => {
-                let across = normals(axis).map(|normal| right_angle(axis, normal));
-                [vec![together], across.to_vec()].concat()
-            }
-            ClosingJoint::Slide(axis) => {
-                let across = normals(axis).map(|normal| {
-                    let normal = self.direction(b, normal);
-                    let off = format!("dot({first} - {second}, {normal})");
-                    (Vec::new(), [off, "0m".to_owned()])
-                });
-                [across.to_vec(), turns.to_vec()].concat()
+        let bodies = match joint.motion {
+            Motion::Slide(_) => vec![body],
+            Motion::Hinge(_) | Motion::Ball | Motion::Free | Motion::Fixed => {
+                vec![body, joint.parent]
             }
         };
-        self.wording.equations(index, &texts, &mut self.sections);
-        self.wording.gap(index, &mut self.sections);
-        // The fixed body cannot be the first one.
-        let [one, other] = [a.max(b), a.min(b)].map(|body| self.wording.bodies[body].clone());
-        self.closing_joints.push(format!(
-            "{kind} {name} = {one} on {other} at {second}{clause};"
-        ));
-        self.sections.quantities.push(first);
+        self.sections.point(pivot, bodies, joint.at);
     }
 }

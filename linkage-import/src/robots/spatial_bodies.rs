@@ -1,9 +1,9 @@
 //! Bodies of space with their masses: the axes of a body are those of the drawing, turned with it.
 
 use super::model::{Mass, Motion};
-use super::placement::{AXES, Vector, difference, dot, length, scaled};
 use super::spatial::Writer;
 use super::wording::digits;
+use crate::placement::{AXES, Vector, difference, dot, length, scaled};
 
 /// A rod is slender if its centre is on its line, up to this part of its length.
 const ON_LINE: f64 = 1e-6;

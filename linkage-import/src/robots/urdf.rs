@@ -1,19 +1,29 @@
-//! URDF: links and joints in a tree, `mimic`, and `loop_joint`.
+//! URDF: links and joints in a tree, `mimic`, `loop_joint`, and a table of closures.
 //!
 //! The format is that of the parser of ROS (`urdfdom`). `loop_joint` is the extension of Isaac Sim
-//! for closed loops: two links, each with the located of the joint in it.
+//! for closed loops.
+
+mod closure_table;
+mod closures;
+mod elements;
+mod masses;
+mod placed_links;
 
 use std::collections::BTreeMap;
 
-use super::attribute_numbers::attribute;
-use super::model::{ClosingJoint, Closure, Mass, Motion, Robot, joint, tensor};
-use super::placement::{FIXED, Placement, Vector, unit};
+use self::closures::add_loop;
+use self::elements::{end, origin, required, twice};
+use self::masses::add_mass;
+use self::placed_links::PlacedLinks;
+use super::attribute_numbers::{attribute, axis_of};
+use super::model::{Motion, Robot, joint};
 use crate::error::ImportError;
 use crate::names::shown;
+use crate::placement::{FIXED, Placement};
 use crate::xml::XmlElement;
 
-/// Reads a robot.
-pub(super) fn read(root: &XmlElement) -> Result<Robot, ImportError> {
+/// Reads a robot, with the closures of a table in CSV.
+pub(super) fn read(root: &XmlElement, table: Option<&str>) -> Result<Robot, ImportError> {
     if root.name != "robot" {
         return Err(ImportError::new(format!(
             "the file begins with `{}`, and URDF with `robot`",
@@ -45,7 +55,7 @@ pub(super) fn read(root: &XmlElement) -> Result<Robot, ImportError> {
         let name = required(joint, "name")?;
         if let Some(other) = has_parent.insert(child, name) {
             return Err(ImportError::new(format!(
-                "the link `{}` is the child of two joints, `{}` and `{}`: URDF is a tree\nhelp: write one of them as `<loop_joint name=\"...\" type=\"revolute\"><link1 link=\"...\" xyz=\"...\"/><link2 link=\"...\" xyz=\"...\"/></loop_joint>`, or save the model as SDF",
+                "the link `{}` is the child of two joints, `{}` and `{}`: URDF is a tree\nhelp: write one of them as `<loop_joint name=\"...\" type=\"revolute\"><link1 link=\"...\" xyz=\"...\"/><link2 link=\"...\" xyz=\"...\"/></loop_joint>`, or as a line of the table of `--closures`",
                 shown(child),
                 shown(other),
                 shown(name)
@@ -63,7 +73,7 @@ pub(super) fn read(root: &XmlElement) -> Result<Robot, ImportError> {
             shown(second)
         )));
     }
-    let mut placed: BTreeMap<&str, (usize, Placement)> = BTreeMap::new();
+    let mut placed = PlacedLinks::new();
     let mut open = vec![(*first, 0, FIXED)];
     while let Some((link, body, at)) = open.pop() {
         placed.insert(link, (body, at));
@@ -83,42 +93,10 @@ pub(super) fn read(root: &XmlElement) -> Result<Robot, ImportError> {
             other => robot.leave_out(other),
         }
     }
+    if let Some(table) = table {
+        closure_table::add(&mut robot, table, &placed)?;
+    }
     Ok(robot)
-}
-
-fn twice(kind: &str, name: &str) -> ImportError {
-    ImportError::new(format!("there are two {kind}s `{}`", shown(name)))
-}
-
-fn required<'t>(element: &'t XmlElement, name: &str) -> Result<&'t str, ImportError> {
-    element.attribute(name).ok_or_else(|| {
-        ImportError::new(format!(
-            "a `{}` has no attribute `{name}`",
-            shown(&element.name)
-        ))
-    })
-}
-
-/// The link of `parent` or `child`.
-fn end<'t>(joint: &'t XmlElement, name: &'t str) -> Result<&'t str, ImportError> {
-    let element = joint.named(name).next().ok_or_else(|| {
-        ImportError::new(format!(
-            "the joint `{}` has no `{name}`",
-            shown(joint.attribute("name").unwrap_or_default())
-        ))
-    })?;
-    required(element, "link")
-}
-
-/// The placement in `xyz` and `rpy`.
-fn placement(element: &XmlElement) -> Result<Placement, ImportError> {
-    let xyz = attribute(element, "xyz")?.unwrap_or_default();
-    let rpy = attribute(element, "rpy")?.unwrap_or_default();
-    Ok(Placement::roll_pitch_yaw(xyz, rpy))
-}
-
-fn origin(element: &XmlElement) -> Result<Placement, ImportError> {
-    element.named("origin").next().map_or(Ok(FIXED), placement)
 }
 
 fn add_joint<'t>(
@@ -166,7 +144,7 @@ fn add_joint<'t>(
     Ok((child, index, located))
 }
 
-/// Counts what a joint has besides its located.
+/// Counts what a joint has besides its placement.
 fn note_rest(robot: &mut Robot, joint: &XmlElement) {
     for element in &joint.children {
         match element.name.as_str() {
@@ -181,43 +159,6 @@ fn note_rest(robot: &mut Robot, joint: &XmlElement) {
             other => robot.leave_out(&format!("{other} of joints")),
         }
     }
-}
-
-pub(super) fn axis_of(axis: Vector, name: &str) -> Result<Vector, ImportError> {
-    unit(axis)
-        .ok_or_else(|| ImportError::new(format!("the axis of the joint `{}` is zero", shown(name))))
-}
-
-fn add_mass(
-    robot: &mut Robot,
-    body: usize,
-    link: &XmlElement,
-    at: &Placement,
-) -> Result<(), ImportError> {
-    for element in &link.children {
-        if element.name != "inertial" {
-            robot.leave_out(&format!("{} of links", element.name));
-            continue;
-        }
-        let located = at.then(&origin(element)?);
-        let value = |name: &'static str, of: &XmlElement| {
-            Ok(attribute::<1>(of, name)?.map_or(0.0, |[value]| value))
-        };
-        let mass = match element.named("mass").next() {
-            Some(mass) => value("value", mass)?,
-            None => 0.0,
-        };
-        let tensor = match element.named("inertia").next() {
-            Some(inertia) => tensor(|name| value(name, inertia))?,
-            None => [[0.0; 3]; 3],
-        };
-        robot.bodies[body].masses.push(Mass {
-            mass,
-            centre: located.origin,
-            inertia: located.tensor(&tensor),
-        });
-    }
-    Ok(())
 }
 
 /// Couples the joints that mimic others.
@@ -269,54 +210,6 @@ pub(super) fn follow(
     if let Some(joint) = &mut robot.bodies[follower].joint {
         joint.follows = Some((led_by, powers));
     }
-    Ok(())
-}
-
-fn add_loop(
-    robot: &mut Robot,
-    element: &XmlElement,
-    placed: &BTreeMap<&str, (usize, Placement)>,
-) -> Result<(), ImportError> {
-    let name = required(element, "name")?;
-    let end = |which: &str| {
-        let link = element.named(which).next().ok_or_else(|| {
-            ImportError::new(format!("the loop `{}` has no `{which}`", shown(name)))
-        })?;
-        let named = required(link, "link")?;
-        let (body, at) = placed.get(named).ok_or_else(|| {
-            ImportError::new(format!(
-                "the loop `{}` names the link `{}`, which the file does not have",
-                shown(name),
-                shown(named)
-            ))
-        })?;
-        Ok::<_, ImportError>((*body, at.then(&placement(link)?)))
-    };
-    let [(first, at), (second, other)] = [end("link1")?, end("link2")?];
-    let closing = match required(element, "type")? {
-        "spherical" | "ball" => ClosingJoint::Point,
-        "revolute" | "continuous" => {
-            robot.warnings.push(format!(
-                "the loop `{}` is a hinge whose axis is not in the file: a ball is written, which is the same if all axes are parallel",
-                shown(name)
-            ));
-            ClosingJoint::Point
-        }
-        "fixed" => ClosingJoint::Weld,
-        other => {
-            return Err(ImportError::new(format!(
-                "the loop `{}` is `{}`, which is not taken; `spherical`, `revolute` and `fixed` are",
-                shown(name),
-                shown(other)
-            )));
-        }
-    };
-    robot.closures.push(Closure {
-        name: name.to_owned(),
-        closing,
-        bodies: [first, second],
-        at: [at.origin, other.origin],
-    });
     Ok(())
 }
 

@@ -6,12 +6,17 @@ use super::analysis::Analysis;
 use super::chain::Chain;
 use super::input_ranges::{common_share, reach};
 use super::model::{Body, Joint, Motion};
-use super::placement::Vector;
 use crate::names::{Names, in_comment, shown};
 use crate::number::{plain, short};
+use crate::placement::Vector;
 
 /// A limit of an angle without limits, in radians: a turn.
 const TURN: f64 = core::f64::consts::TAU;
+
+/// The range to each side of the drawing if a search is ended: in radians, and as a part of the
+/// size.
+const SMALL_TURN: f64 = core::f64::consts::TAU / 72.0;
+const SMALL_PART: f64 = 0.05;
 
 /// The part of a reach that is left out next to a dead point.
 const BESIDE: f64 = 0.97;
@@ -27,11 +32,29 @@ pub(super) struct Sections {
     pub(super) bodies: Vec<String>,
     /// Quantities of the function `motion`.
     pub(super) quantities: Vec<String>,
+    /// The points among them.
+    pub(super) points: Vec<NamedPoint>,
     /// The points of each link, for the picture.
     pub(super) links: Vec<Vec<String>>,
     /// The same points where they are drawn, with their bodies.
     pub(super) drawn: Vec<(usize, Vector)>,
     pub(super) warnings: Vec<String>,
+}
+
+/// A point of the text, where it is drawn.
+pub(super) struct NamedPoint {
+    pub(super) name: String,
+    /// The bodies that have it.
+    pub(super) bodies: Vec<usize>,
+    pub(super) at: Vector,
+}
+
+impl Sections {
+    /// Adds a point to the quantities.
+    pub(super) fn point(&mut self, name: String, bodies: Vec<usize>, at: Vector) {
+        self.quantities.push(name.clone());
+        self.points.push(NamedPoint { name, bodies, at });
+    }
 }
 
 /// The range of an input.
@@ -137,15 +160,26 @@ impl<'c> Wording<'c> {
     pub(super) fn inputs(&self, sections: &mut Sections) {
         let indices = &self.analysis.inputs;
         let limits: Vec<Limits> = indices.iter().map(|index| self.limits(*index)).collect();
-        let ends: Vec<[f64; 2]> = limits.iter().map(|limits| limits.ends).collect();
-        let share = common_share(self.chain, self.analysis, &ends);
+        let shared: Vec<(usize, [f64; 2])> = indices
+            .iter()
+            .zip(&limits)
+            .filter(|(index, _)| self.is_in_loop(**index))
+            .map(|(index, limits)| (*index, limits.ends))
+            .collect();
+        let share = common_share(self.chain, self.analysis, &shared);
         if share < 1.0 {
             sections.warnings.push(
                 "the ranges of the inputs are shortened, so that the loops close for all of them together"
                     .to_owned(),
             );
         }
+        if self.analysis.effort.is_spent() {
+            sections.warnings.push(
+                "the robot is too large for a search of ranges: set those of the inputs".to_owned(),
+            );
+        }
         for (index, limits) in indices.iter().zip(limits) {
+            let share = if self.is_in_loop(*index) { share } else { 1.0 };
             self.input(*index, limits, share, sections);
         }
     }
@@ -170,13 +204,20 @@ impl<'c> Wording<'c> {
             true => reach(self.chain, self.analysis, index, limits),
             false => (limits, false),
         };
+        let is_spent = self.analysis.effort.is_spent();
+        let small = if is_length {
+            SMALL_PART * size
+        } else {
+            SMALL_TURN
+        };
         let ends = [0, 1].map(|end| match found[end] == limits[end] {
             true => found[end],
+            false if is_spent => limits[end].signum() * small.min(limits[end].abs()),
             false => BESIDE * found[end],
         });
         Limits {
             ends,
-            is_cut,
+            is_cut: is_cut && !is_spent,
             is_turn: is_turn && !is_cut,
             is_length,
         }
@@ -189,7 +230,7 @@ impl<'c> Wording<'c> {
     }
 
     fn is_in_loop(&self, index: usize) -> bool {
-        let rows = self.chain.rows(&self.chain.drawn());
+        let rows = &self.analysis.rows;
         rows.iter().any(|row| row.changes[index] != 0.0)
     }
 
@@ -288,8 +329,7 @@ impl<'c> Wording<'c> {
         texts: &[(Vec<String>, [String; 2])],
         sections: &mut Sections,
     ) -> bool {
-        let rows = self.chain.rows(&self.chain.drawn());
-        let rows = rows.iter().zip(&self.analysis.is_needed);
+        let rows = self.analysis.rows.iter().zip(&self.analysis.is_needed);
         let of_closure = rows.filter(|(row, _)| row.closure == closure);
         let mut needed = of_closure.map(|(_, is_needed)| *is_needed);
         let mut dropped = 0;

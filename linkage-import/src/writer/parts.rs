@@ -4,8 +4,9 @@ use std::fmt::Write;
 
 use crate::document::{Document, FRAME, InputKind, Load, PlacedLoad, SlotPath};
 use crate::number::plain;
+use crate::wrapped::item;
 
-use super::driven::Drive;
+use super::drive::Drive;
 use super::sizes;
 use super::spelling::Spelling;
 
@@ -80,7 +81,12 @@ pub(super) fn links(document: &Document, spelling: &Spelling, drives: &[Drive], 
             .map(|joint| &spelling.joints[*joint][..])
             .collect();
         let name = &spelling.links[index];
-        let _ = writeln!(text, "    link {name}: {}{clauses};", names.join(", "));
+        item(
+            text,
+            4,
+            &format!("link {name}: {}{clauses};", names.join(", ")),
+            0,
+        );
         if index != FRAME {
             sizes::of_link(document, spelling, &joints, text);
         }
@@ -88,7 +94,7 @@ pub(super) fn links(document: &Document, spelling: &Spelling, drives: &[Drive], 
 }
 
 /// Returns the joints of a link as they are written: a crank begins at its pivot.
-fn ordered(document: &Document, drives: &[Drive], index: usize) -> Vec<usize> {
+pub(super) fn ordered(document: &Document, drives: &[Drive], index: usize) -> Vec<usize> {
     let mut joints = document.links[index].joints.clone();
     joints.retain(|joint| index != FRAME || !joins_nothing(document, *joint));
     for drive in drives {

@@ -4,13 +4,10 @@ use std::f64::consts::SQRT_2;
 use std::fmt::Write;
 
 use crate::document::{Document, Slot, SlotPath};
-use crate::number::{plain, short};
+use crate::number::{WIDE, banded, plain, short};
+use crate::wrapped::comment;
 
 use super::spelling::Spelling;
-use super::wrapped::comment;
-
-/// Wider bands contain whole numbers nearly always.
-const WIDE: f64 = 0.25;
 
 /// A pin misses its slot if it is further away than this part of the size.
 const MISS: f64 = 1e-9;
@@ -42,18 +39,7 @@ pub(super) fn of_link(
         let [from, to] = [first, other].map(|joint| &spelling.joints[*joint]);
         let _ = write!(text, "    //   {from} to {to} ");
         let band = band(document, *first, *other);
-        if band == 0.0 {
-            let _ = writeln!(text, "{}{unit}", plain(length));
-            continue;
-        }
-        // One digit more than the band has.
-        let decimals = (1.0 - band.log10().floor()).clamp(0.0, 12.0) as usize;
-        let _ = write!(text, "{length:.decimals$} +-{}{unit}", short(band));
-        let whole = length.round();
-        if whole > 0.0 && (length - whole).abs() <= band && band < WIDE {
-            let _ = write!(text, "; {whole}{unit} is within");
-        }
-        text.push('\n');
+        let _ = writeln!(text, "{}", banded(length, band, unit));
     }
 }
 

@@ -171,21 +171,6 @@ fn linkage_cylinders_move_by_their_throw() {
     );
 }
 
-#[test]
-fn several_motors_run_in_one_time() {
-    let elements = "<connector id=\"2\" x=\"96\" y=\"0\" anchor=\"true\" input=\"true\" rpm=\"9.5\"/>\
-                    <connector id=\"3\" x=\"96\" y=\"48\"/>\
-                    <Link id=\"1\"><connector id=\"2\"/><connector id=\"3\"/></Link>";
-    let text = of_text(&linkage("", elements), "a.linkage2").text;
-    let rates = "phi1 = 90deg + 90deg/s * t, phi2 = 90deg - 57deg/s * t.";
-    assert!(text.contains(rates), "{text}");
-    let cylinder = "<Link id=\"9\" actuator=\"true\" throw=\"9\" cpm=\"5\"><connector id=\"1\"/>\
-                    <connector id=\"3\"/></Link>";
-    let elements = elements.replace(" input=\"true\" rpm=\"9.5\"", "") + cylinder;
-    let text = of_text(&linkage("", &elements), "a.linkage2").text;
-    assert!(text.contains("move to and fro"), "{text}");
-}
-
 /// Links that hang on one joint are left out, together with those that hang on them.
 #[test]
 fn linkage_names_links_that_hang_on_one_joint() {

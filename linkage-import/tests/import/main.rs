@@ -11,3 +11,7 @@ mod page;
 mod pmks;
 mod readers;
 mod refusals;
+mod speeds;
+
+#[path = "../shared/memory.rs"]
+mod memory;

@@ -8,6 +8,7 @@ use linkage_import::{Format, Options, import};
 use linkage_random::Random;
 
 use crate::files::all;
+use crate::memory::{MOST_KILOBYTES, peak};
 
 const MUTATIONS: usize = 10_000;
 /// The largest file that is mutated, in bytes.
@@ -79,13 +80,6 @@ fn mutated(content: &[u8], random: &mut Random) -> Vec<u8> {
     bytes
 }
 
-/// The largest memory of this process so far, in kilobytes.
-fn peak() -> Option<u64> {
-    let status = fs::read_to_string("/proc/self/status").ok()?;
-    let line = status.lines().find(|line| line.starts_with("VmHWM:"))?;
-    line.split_whitespace().nth(1)?.parse().ok()
-}
-
 fn survives(format: Format, extension: &str) {
     let files = all().into_iter();
     let files = files.filter(|file| file.extension().is_some_and(|other| other == extension));
@@ -132,7 +126,7 @@ fn survives(format: Format, extension: &str) {
     );
     if let (Some(before), Some(after)) = (before, peak()) {
         let grown = after.saturating_sub(before);
-        assert!(grown < 200_000, "{extension}: {grown} kB more");
+        assert!(grown < MOST_KILOBYTES, "{extension}: {grown} kB more");
     }
 }
 

@@ -1,5 +1,6 @@
 //! What a file does not say is asked for, and what is not taken is named.
 
+use linkage_engine::Mechanism;
 use linkage_import::{Format, Options};
 
 use crate::{file, hard_points, imported, refused};
@@ -45,7 +46,7 @@ fn axes_unit_and_side_are_asked_for() {
     )
     .text;
     assert!(
-        text.contains("param lower_front = (180mm, -250mm, 125mm);"),
+        text.contains("joint lower_front    = ( 180mm,   -250mm,   125mm);"),
         "{text}"
     );
 }
@@ -76,7 +77,25 @@ fn steering_is_a_shift_and_no_sense() {
     )
     .text;
     assert!(text.contains("param rack = 0mm;"));
-    assert!(text.contains("loop distance(tie_outer, tie_inner + (0mm, rack, 0mm)) = tie_rod;"));
+    assert!(text.contains("let tie_inner = (76mm, 230mm, 201mm) + (0mm, rack, 0mm);"));
+    assert!(text.contains("link tie_rod: tie_inner, tie_outer;"));
+    // The rack becomes an input by its declaration alone.
+    let steered = text
+        .replace("param rack = 0mm;", "input rack = 0mm in -20mm..20mm;")
+        .replace("(travel)", "(travel, rack)");
+    let mechanism = Mechanism::compile(&steered).unwrap_or_else(|error| panic!("{error}"));
+    let assembly = mechanism
+        .assemble(&mechanism.dimensions())
+        .expect("a suspension");
+    let ends = [-15.0, 15.0].map(|rack| {
+        let results = assembly.results("motion", &[10.0, rack]);
+        let [x, y, z] = results.vector::<3>("tie_outer");
+        let length = (x - 76.0).hypot(y - 230.0 - rack).hypot(z - 201.0);
+        let drawn = 322f64.hypot(40.0);
+        assert!((length - drawn).abs() < 1e-9, "{length} for {drawn}");
+        results["toe"]
+    });
+    assert!((ends[0] - ends[1]).abs() > 0.1, "{ends:?}");
 }
 
 #[test]
@@ -90,9 +109,15 @@ fn what_is_not_taken_is_named() {
         all.contains("the loop `closing` holds in space; in the plane its other equations"),
         "{all}"
     );
+    // Comments are wrapped.
     let text = imported("four_bar.xml", &Options::default()).text;
+    let words: Vec<&str> = text
+        .split_whitespace()
+        .filter(|word| *word != "//")
+        .collect();
+    let words = words.join(" ");
     for warning in &warnings {
-        assert!(text.contains(&format!("// {warning}")), "{warning}");
+        assert!(words.contains(&format!("- {warning}")), "{warning}\n{text}");
     }
 }
 

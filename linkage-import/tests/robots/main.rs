@@ -2,10 +2,15 @@
 //! that are asked for, mutated files.
 
 mod choices;
+mod closures;
+mod huge;
 mod masses;
 mod motion;
 mod mutations;
 mod solver;
+
+#[path = "../shared/memory.rs"]
+mod memory;
 
 use std::fs;
 use std::path::Path;

@@ -152,14 +152,15 @@ fn rename(facts: &mut Points, text: &str) {
 
 /// The axes of the plane, from the comment of the text.
 fn axes_of(text: &str) -> Vec<Point> {
-    let line = text
-        .lines()
-        .find(|line| line.contains("All hinges are parallel"));
-    let line = line.expect("a comment of the plane");
-    let lists = line.split('[').skip(1);
+    // Comments are wrapped.
+    let text = text.replace("\n//", "");
+    let (_, words) = text
+        .split_once("All hinges are parallel: ")
+        .expect("a comment of the plane");
+    let lists = words.split('(').skip(1).take(2);
     lists
         .map(|list| {
-            let numbers = list.split(']').next().unwrap_or_default();
+            let numbers = list.split(')').next().unwrap_or_default();
             let numbers: Vec<f64> = numbers
                 .split(',')
                 .map(|number| number.trim().parse().expect("a number"))

@@ -1,10 +1,12 @@
-//! Ten thousand mutated files of each format: a text or a message, never a panic.
+//! Ten thousand mutated files of each format: a text or a message, never a panic, in
+//! bounded memory.
 
 use std::panic::{self, AssertUnwindSafe};
 
 use linkage_import::{Options, import};
 use linkage_random::Random;
 
+use crate::memory::{MOST_KILOBYTES, peak};
 use crate::{file, hard_points};
 
 const MUTATIONS: usize = 10_000;
@@ -68,6 +70,7 @@ fn survives(names: &[&str], options: &Options) {
     let contents: Vec<Vec<u8>> = names.iter().map(|name| file(name)).collect();
     let mut random = Random::new(names[0].len() as u64);
     let mut read = 0;
+    let before = peak();
     for index in 0..MUTATIONS {
         let number = index % contents.len();
         let content = mutated(&contents[number], &mut random);
@@ -92,6 +95,10 @@ fn survives(names: &[&str], options: &Options) {
         "{read} of {}",
         names[0]
     );
+    if let (Some(before), Some(after)) = (before, peak()) {
+        let grown = after.saturating_sub(before);
+        assert!(grown < MOST_KILOBYTES, "{}: {grown} kB more", names[0]);
+    }
 }
 
 #[test]

@@ -79,13 +79,12 @@ impl Reader<'_> {
         } else {
             ClosingJoint::Point
         };
-        self.robot.closures.push(Closure {
+        self.robot.close(Closure {
             name: name.to_owned(),
             closing,
             bodies,
             at,
-        });
-        Ok(())
+        })
     }
 
     fn coupling(&mut self, element: &XmlElement, name: &str) -> Result<(), ImportError> {

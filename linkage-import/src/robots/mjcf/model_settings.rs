@@ -4,10 +4,10 @@ use std::collections::BTreeMap;
 
 use crate::error::ImportError;
 use crate::names::shown;
-use crate::robots::attribute_numbers::attribute;
-use crate::robots::placement::{
+use crate::placement::{
     AXES, FIXED, Placement, Vector, cross, difference, dot, length, scaled, unit,
 };
+use crate::robots::attribute_numbers::attribute;
 use crate::xml::XmlElement;
 
 /// Classes within each other more often than this are refused by the reader of XML before.

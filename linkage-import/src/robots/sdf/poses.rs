@@ -4,9 +4,8 @@ use std::collections::BTreeMap;
 
 use crate::error::ImportError;
 use crate::names::shown;
-use crate::robots::attribute_numbers::{exactly, numbers};
-use crate::robots::placement::{FIXED, Placement, Vector};
-use crate::robots::urdf::axis_of;
+use crate::placement::{FIXED, Placement, Vector};
+use crate::robots::attribute_numbers::{axis_of, exactly, numbers};
 use crate::xml::XmlElement;
 
 /// Poses that refer to each other more often than this are a circle.
