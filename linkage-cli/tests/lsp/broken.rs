@@ -42,7 +42,7 @@ fn broken_at(client: &mut Client, text: &str, byte: usize) -> Vec<Duration> {
     };
     timed(client, &mut |client| {
         client.change([[line, from], end], "");
-        client.messages();
+        client.first_messages();
     });
     for method in ["hover", "completion", "signatureHelp", "definition"] {
         timed(client, &mut |client| {
@@ -68,7 +68,7 @@ fn broken_at(client: &mut Client, text: &str, byte: usize) -> Vec<Duration> {
         );
     });
     client.change([[line, from], [line, from]], &text[byte..byte + removed]);
-    client.messages();
+    client.first_messages();
     times
 }
 
@@ -83,8 +83,9 @@ fn broken(texts: &[&str], step: usize) -> Vec<Duration> {
         for (byte, _) in characters {
             times.extend(broken_at(&mut client, &text, byte));
         }
-        // The text is whole again.
-        client.change([[0, 0], [0, 0]], " ");
+        // The text is whole again. A word that changes and changes back is solved once more.
+        client.change([[0, 0], [0, 0]], "x");
+        client.change([[0, 0], [0, 1]], "");
         assert_eq!(client.messages(), json!([]), "{name}");
         client.stop();
     }

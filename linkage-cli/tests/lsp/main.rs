@@ -2,6 +2,7 @@
 
 mod broken;
 mod client;
+mod editors;
 mod session;
 
 use std::path::Path;
