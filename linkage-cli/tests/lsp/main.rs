@@ -3,6 +3,7 @@
 mod broken;
 mod client;
 mod editors;
+mod real_editors;
 mod session;
 
 use std::path::Path;
