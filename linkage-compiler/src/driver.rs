@@ -10,6 +10,7 @@ use crate::ir::CompiledMechanism;
 use crate::model::{Library, Model};
 use crate::observer::PhaseObserver;
 use crate::part_order::part_order;
+use crate::pipeline::PhaseResults;
 use crate::syntax::{Attribute, MechanismDef};
 use crate::{model, pipeline};
 
@@ -106,8 +107,31 @@ impl Driver {
         definitions.into_iter().zip(models).collect()
     }
 
+    /// Reads all mechanisms of a call and resolves their names. Nothing is solved, and there are no
+    /// programs.
+    pub(crate) fn names(body: TokenStream) -> Self {
+        Self::each(body, |_, _, _, _| None)
+    }
+
     /// Runs the phases for all mechanisms. The observer sees those of the last one.
     pub(crate) fn run(body: TokenStream, observer: &mut dyn PhaseObserver) -> Self {
+        Self::each(body, |model, parts, diagnostics, is_last| {
+            let observer: &mut dyn PhaseObserver = if is_last { &mut *observer } else { &mut () };
+            Some(pipeline::run(model, parts, diagnostics, observer))
+        })
+    }
+
+    /// Resolves the names of all mechanisms, and compiles each whose parts have been compiled; the
+    /// last argument is true for the last one as they are written.
+    fn each(
+        body: TokenStream,
+        mut compiled: impl FnMut(
+            &Model,
+            &[Rc<AssembledPart>],
+            &mut Diagnostics,
+            bool,
+        ) -> Option<PhaseResults>,
+    ) -> Self {
         let mut syntax = Diagnostics::default();
         let definitions = model::read(body, &mut syntax);
         let (order, circles) = part_order(&definitions);
@@ -128,13 +152,8 @@ impl Driver {
             // A part that cannot be assembled has been reported for the part itself.
             if let Some(model) = &model
                 && let Some(parts) = closed_parts(&definitions, &progress, model)
+                && let Some(results) = compiled(model, &parts, &mut diagnostics, index == last)
             {
-                let observer: &mut dyn PhaseObserver = if index == last {
-                    &mut *observer
-                } else {
-                    &mut ()
-                };
-                let results = pipeline::run(model, &parts, &mut diagnostics, observer);
                 let part = results.part.filter(|_| diagnostics.is_empty());
                 progress[index].unit = Some(results.compiled);
                 progress[index].closes = results.closes;

@@ -8,7 +8,7 @@
 //! expressions of the quantities that functions ask for.
 //!
 //! [`check`] gives a mechanism's programs, or messages with their places; [`check_all`] gives those
-//! of all mechanisms of a text:
+//! of all mechanisms of a text, and [`check_names`] what can be known without solving them:
 //!
 //! ```
 //! use linkage_compiler::check;
@@ -113,6 +113,25 @@ pub fn check(body: TokenStream) -> Checked {
 /// ```
 pub fn check_all(body: TokenStream) -> Vec<Checked> {
     Driver::analyse(body).checked()
+}
+
+/// Reads all mechanisms of a call and resolves their names, types and dimensions, which solves
+/// nothing: the results have models and the messages about them, and no programs.
+///
+/// [`check_all`] has all messages.
+///
+/// ```
+/// use linkage_compiler::{check_all, check_names};
+///
+/// // The links do not reach each other.
+/// let text = "struct Short { unit mm; input phi = 0deg; unknown psi = 0deg; unknown s = 9mm;
+///     loop polar(80mm, phi) + polar(30mm, psi) = (s, 60mm); }";
+/// let names = check_names(text.parse().expect("brackets have partners"));
+/// assert!(names[0].model.is_some() && names[0].messages.is_empty());
+/// assert!(!check_all(text.parse().expect("brackets"))[0].messages.is_empty());
+/// ```
+pub fn check_names(body: TokenStream) -> Vec<Checked> {
+    Driver::names(body).checked()
 }
 
 /// Returns mechanisms as a text without joints and links, which are written as the parameters,

@@ -5,6 +5,7 @@ use std::ops::Range;
 use linkage_language::model::CalledWord;
 use linkage_language::syntax::{ClauseWord, ItemWord, Word, is_unit};
 
+use crate::computed::Age;
 use crate::declaration::{Declaration, NameKind};
 use crate::diagnostics::{Diagnostic, Edit, Fix};
 use crate::document::Document;
@@ -131,7 +132,8 @@ fn insertion(document: &Document, location: usize, item: &str) -> Edit {
 fn estimates(document: &Document, outline: &Outline, range: &Range<usize>) -> Vec<Fix> {
     let is_here = |name: &Declaration| name.kind == NameKind::Unknown && touches(&name.item, range);
     // Values take a compilation, so they are computed for unknowns only.
-    if !document.values_are_present() || !outline.names.iter().any(is_here) {
+    let is_present = document.age_of_values() == Age::Present;
+    if !is_present || !outline.names.iter().any(is_here) {
         return Vec::new();
     }
     let Some(values) = document.values(&outline.mechanism.name) else {

@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-use linkage_compiler::{Checked, Message, SourceSpan, check_all};
+use linkage_compiler::{Checked, Message, SourceSpan, check_all, check_names};
 use linkage_engine::{MechanismCall, Source};
 use proc_macro2::{TokenStream, extra::invalidate_current_thread_spans};
 
@@ -19,10 +19,23 @@ pub(crate) struct Analysis {
     pub(crate) runs: bool,
 }
 
+/// The phases that a text passes.
+type Check = fn(TokenStream) -> Vec<Checked>;
+
 /// Compiles a text. Spans of this thread's earlier tokens become invalid.
 pub(crate) fn analyse(name: &str, text: &str) -> Analysis {
+    analysed(name, text, check_all)
+}
+
+/// Reads a text and resolves its names, without solving anything. Spans of this thread's earlier
+/// tokens become invalid.
+pub(crate) fn names(name: &str, text: &str) -> Analysis {
+    analysed(name, text, check_names)
+}
+
+fn analysed(name: &str, text: &str, check: Check) -> Analysis {
     let analysis = match Source::new(name, text) {
-        Ok(source) => checked(&source, offset_of_text(text)),
+        Ok(source) => checked(&source, offset_of_text(text), check),
         // The compiler of Rust has messages about the rest of a Rust file.
         Err(_) if name.ends_with(".rs") => Analysis::default(),
         Err(error) => unreadable(text, &error.to_string()),
@@ -40,13 +53,13 @@ pub(crate) fn offset_of_text(text: &str) -> usize {
     }
 }
 
-fn checked(source: &Source, offset: usize) -> Analysis {
+fn checked(source: &Source, offset: usize, check: Check) -> Analysis {
     let mut analysis = Analysis {
         runs: true,
         ..Analysis::default()
     };
     for call in source.calls() {
-        for checked in check_all(call.tokens.clone()) {
+        for checked in check(call.tokens.clone()) {
             analysis.runs &= checked.unit.is_some() || checked.out_of_range.is_some();
             let model = checked.model.as_ref();
             analysis

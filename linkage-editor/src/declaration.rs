@@ -59,6 +59,24 @@ impl NameKind {
             NameKind::Field => "field",
         }
     }
+
+    /// Returns true for names whose values take operations: those of the others are given.
+    pub(crate) fn has_cost(self) -> bool {
+        match self {
+            NameKind::Unknown | NameKind::Derived | NameKind::Joint | NameKind::Slider => true,
+            NameKind::Mechanism
+            | NameKind::Constant
+            | NameKind::Parameter
+            | NameKind::Input
+            | NameKind::Argument
+            | NameKind::Part
+            | NameKind::Body
+            | NameKind::Link
+            | NameKind::Slot
+            | NameKind::Function
+            | NameKind::Field => false,
+        }
+    }
 }
 
 /// A declared name.

@@ -1,19 +1,18 @@
-//! A text with the results of its analysis, and those of the last text without a mistake.
+//! A text with all that is known about it.
 
-use std::cell::OnceCell;
 use std::ops::Range;
 
-use crate::analysis::{Analysis, analyse};
+use crate::analysis::Analysis;
+use crate::computed::{Age, Computed};
 use crate::declaration::NameKind;
 use crate::diagnostics::Diagnostic;
 use crate::facts::Facts;
-use crate::lexer::{Token, tokens};
-use crate::name_values::{Value, Values, values};
-use crate::outline::{Outline, outlines};
+use crate::lexer::Token;
+use crate::name_values::{Value, Values};
+use crate::outline::Outline;
 use crate::position::Lines;
-use crate::repair::readable;
 use crate::statements::statements;
-use crate::uses::{Symbol, Use, declaration, uses};
+use crate::uses::{Symbol, Use, declaration};
 
 /// A text and all that is known about it.
 ///
@@ -36,25 +35,25 @@ use crate::uses::{Symbol, Use, declaration, uses};
 /// ```
 #[derive(Debug)]
 pub struct Document {
-    name: String,
+    pub(crate) name: String,
     pub(crate) text: String,
     pub(crate) lines: Lines,
     pub(crate) tokens: Vec<Token>,
     pub(crate) outlines: Vec<Outline>,
     pub(crate) uses: Vec<Use>,
-    analysis: Analysis,
+    /// The messages and types of the present text that need no solution.
+    pub(crate) names: Analysis,
+    /// True if the present text has been solved, or has nothing to solve.
+    pub(crate) is_solved: bool,
+    /// True if the present text has been compiled.
+    pub(crate) runs: bool,
+    /// The messages that needed a solution, moved with their words.
+    pub(crate) later: Vec<Diagnostic>,
+    /// The messages that are shown.
+    pub(crate) diagnostics: Vec<Diagnostic>,
     /// Types of the names of all mechanisms, each from the last text in which it had no mistake.
-    facts: Vec<Facts>,
-    runnable: Option<Runnable>,
-}
-
-/// The last text that could be compiled.
-#[derive(Debug)]
-struct Runnable {
-    text: String,
-    outlines: Vec<Outline>,
-    facts: Vec<Facts>,
-    values: OnceCell<Vec<Values>>,
+    pub(crate) facts: Vec<Facts>,
+    pub(crate) computed: Computed,
 }
 
 impl Document {
@@ -69,42 +68,16 @@ impl Document {
             tokens: Vec::new(),
             outlines: Vec::new(),
             uses: Vec::new(),
-            analysis: Analysis::default(),
+            names: Analysis::default(),
+            is_solved: false,
+            runs: false,
+            later: Vec::new(),
+            diagnostics: Vec::new(),
             facts: Vec::new(),
-            runnable: None,
+            computed: Computed::default(),
         };
         document.set_text(text);
         document
-    }
-
-    /// Replaces the text.
-    pub fn set_text(&mut self, text: &str) {
-        text.clone_into(&mut self.text);
-        self.lines = Lines::new(text);
-        self.analysis = analyse(&self.name, text);
-        if self.is_rust() {
-            return;
-        }
-        self.tokens = tokens(text);
-        let repaired = readable(text, &self.tokens);
-        self.outlines = match &repaired {
-            // Bytes that were added at the end are in no token of the text.
-            Some(repaired) => outlines(repaired, &tokens(repaired)),
-            None => outlines(text, &self.tokens),
-        };
-        self.uses = uses(text, &self.tokens, &self.outlines);
-        for facts in &self.analysis.facts {
-            self.facts.retain(|old| old.mechanism != facts.mechanism);
-            self.facts.push(facts.clone());
-        }
-        if self.analysis.runs && !self.analysis.facts.is_empty() {
-            self.runnable = Some(Runnable {
-                text: text.to_owned(),
-                outlines: self.outlines.clone(),
-                facts: self.analysis.facts.clone(),
-                values: OnceCell::new(),
-            });
-        }
     }
 
     /// Replaces some bytes of the text, without an analysis: [`set_text`](Self::set_text) follows
@@ -130,17 +103,30 @@ impl Document {
         &self.lines
     }
 
-    /// Returns all messages, mechanism by mechanism.
+    /// Returns all messages, mechanism by mechanism. Until a text that was [read](Self::read) is
+    /// [finished](Self::finish), those that need a solution are last, at their present places.
     #[must_use]
     pub fn diagnostics(&self) -> &[Diagnostic] {
-        &self.analysis.diagnostics
+        &self.diagnostics
     }
 
-    /// Returns true if the present text can be compiled, perhaps in other ranges than the declared
+    /// Returns true if the present text has been compiled, perhaps in other ranges than the declared
     /// ones.
     #[must_use]
     pub fn runs(&self) -> bool {
-        self.analysis.runs
+        self.runs
+    }
+
+    /// Returns true if all messages are those of the present text.
+    #[must_use]
+    pub fn is_solved(&self) -> bool {
+        self.is_solved
+    }
+
+    /// Returns true if nothing is left to be computed for the present text.
+    #[must_use]
+    pub fn is_settled(&self) -> bool {
+        self.is_solved && self.age_of_values() != Age::Pending
     }
 
     /// Returns true for a text of the language alone, which can be formatted.
@@ -207,33 +193,21 @@ impl Document {
 
     /// Returns the values of a mechanism in the last text that could be compiled.
     pub(crate) fn values(&self, mechanism: &str) -> Option<&Values> {
-        let runnable = self.runnable.as_ref()?;
-        let all = runnable.values.get_or_init(|| {
-            let facts = runnable.facts.iter();
-            facts
-                .map(|facts| values(&runnable.text, &runnable.outlines, facts))
-                .collect()
-        });
-        let mut facts = runnable.facts.iter();
-        all.get(facts.position(|facts| facts.mechanism == mechanism)?)
+        self.computed.values(mechanism)
     }
 
-    /// Returns true if [`values`](Self::values) are those of the present text.
-    pub(crate) fn values_are_present(&self) -> bool {
-        let runnable = self.runnable.as_ref();
-        runnable.is_some_and(|runnable| runnable.text == self.text)
+    /// Returns the relation of [`values`](Self::values) to the present text.
+    pub(crate) fn age_of_values(&self) -> Age {
+        match (self.is_solved, self.runs) {
+            (true, true) if self.computed.is_latest() => Age::Present,
+            (true, true) | (false, _) => Age::Pending,
+            (true, false) => Age::BeforeMistakes,
+        }
     }
 
     /// Returns the operations for a name, in the last text that could be compiled.
-    pub(crate) fn cost(&self, mechanism: &str, name: &str) -> Option<String> {
-        let Runnable {
-            text,
-            outlines,
-            facts,
-            ..
-        } = self.runnable.as_ref()?;
-        let facts = facts.iter().find(|facts| facts.mechanism == mechanism)?;
-        crate::name_values::cost(text, outlines, facts, name)
+    pub(crate) fn cost(&self, mechanism: &str, name: &str) -> Option<&str> {
+        self.values(mechanism)?.costs.get(name).map(String::as_str)
     }
 
     /// Returns the mechanism of a symbol, its name and its kind.
@@ -251,9 +225,6 @@ impl Document {
     /// Returns the value of a name of a mechanism, if values have been computed: a list of words does
     /// not wait for them.
     pub(crate) fn computed_value(&self, mechanism: &str, name: &str) -> Option<&Value> {
-        let runnable = self.runnable.as_ref()?;
-        let mut facts = runnable.facts.iter();
-        let index = facts.position(|facts| facts.mechanism == mechanism)?;
-        runnable.values.get()?.get(index)?.names.get(name)
+        self.computed.finished(mechanism)?.names.get(name)
     }
 }

@@ -1,5 +1,6 @@
 //! Values next to names: those of derived quantities, and solutions that differ from estimates.
 
+use crate::computed::Age;
 use crate::declaration::NameKind;
 use crate::document::Document;
 use crate::name_values::{Value, Values};
@@ -22,8 +23,9 @@ pub struct Hint {
 /// Returns the values of derived quantities, and the solutions of unknowns that differ from
 /// their estimates. There are none while the text has mistakes.
 pub(crate) fn hints(document: &Document) -> Vec<Hint> {
-    if !document.values_are_present() {
-        return Vec::new();
+    match document.age_of_values() {
+        Age::Present | Age::Pending => {}
+        Age::BeforeMistakes => return Vec::new(),
     }
     let mut hints = Vec::new();
     for outline in &document.outlines {

@@ -5,6 +5,7 @@ use std::ops::Range;
 use linkage_language::model::{Ends, Function, Law, MotionLawWord, QuantityWord};
 use linkage_language::syntax::{ClauseWord, ItemWord, Word, first_spelling, unit_description};
 
+use crate::computed::Age;
 use crate::context::{next_solid, path_at};
 use crate::declaration::NameKind;
 use crate::document::Document;
@@ -103,9 +104,10 @@ fn value_described(document: &Document, mechanism: &str, name: &str, head: &str)
     let Some(value) = values.names.get(name) else {
         return lines;
     };
-    let present = match document.values_are_present() {
-        true => "",
-        false => " (before the last mistakes)",
+    let present = match document.age_of_values() {
+        Age::Present => "",
+        Age::Pending => " (before the last change)",
+        Age::BeforeMistakes => " (before the last mistakes)",
     };
     lines += &format!(
         "\n\n`{}` at the reference{present}",
@@ -122,22 +124,11 @@ fn value_described(document: &Document, mechanism: &str, name: &str, head: &str)
 
 /// Returns a line about the operations that a name costs.
 fn effort(document: &Document, mechanism: &str, name: &str, kind: NameKind) -> String {
-    match kind {
-        NameKind::Unknown | NameKind::Derived | NameKind::Joint | NameKind::Slider => document
-            .cost(mechanism, name)
-            .map_or_else(String::new, |cost| format!("\n\noperations: {cost}")),
-        NameKind::Mechanism
-        | NameKind::Constant
-        | NameKind::Parameter
-        | NameKind::Input
-        | NameKind::Argument
-        | NameKind::Part
-        | NameKind::Body
-        | NameKind::Link
-        | NameKind::Slot
-        | NameKind::Function
-        | NameKind::Field => String::new(),
-    }
+    let cost = match kind.has_cost() {
+        true => document.cost(mechanism, name),
+        false => None,
+    };
+    cost.map_or_else(String::new, |cost| format!("\n\noperations: {cost}"))
 }
 
 /// Describes a word of the language.

@@ -7,6 +7,7 @@
 //! | to | call |
 //! |---|---|
 //! | read a text, and each change of it | [`Document::new`], [`Document::set_text`], [`Document::edit`] |
+//! | leave solving to another thread | [`Document::read`], [`Document::finish`], [`Document::take_values`] |
 //! | show messages | [`Document::diagnostics`] |
 //! | describe the word under the pointer | [`Document::hover`] |
 //! | show values next to names | [`Document::hints`] |
@@ -22,12 +23,14 @@
 //! Places are bytes of the text.
 
 mod actions;
+mod alike;
 mod analysis;
 mod answers;
 mod colours;
 mod completion;
 mod completion_list;
 mod completion_words;
+mod computed;
 mod context;
 mod cursor;
 mod declaration;
@@ -39,21 +42,25 @@ mod formatter;
 mod hints;
 mod hover;
 mod lexer;
+mod moved;
 mod name_values;
 mod navigation;
 mod outline;
 mod position;
+mod probe;
 mod rename;
 mod repair;
 mod shown;
 mod signature;
 mod statements;
 mod symbols;
+mod two_stages;
 mod uses;
 
 pub use actions::Action;
 pub use colours::{Colour, ColouredWord};
 pub use completion_list::{Completion, CompletionKind};
+pub use computed::{Evaluated, Evaluation};
 pub use declaration::NameKind;
 pub use diagnostics::{Diagnostic, Edit, Fix, Related, Severity};
 pub use document::Document;
@@ -63,3 +70,4 @@ pub use hover::Hover;
 pub use position::{Encoding, Lines, Position};
 pub use signature::Signature;
 pub use symbols::Symbol;
+pub use two_stages::{Solved, Solving};

@@ -1,19 +1,15 @@
 //! Values of names at the reference and over the range of the input, by a function that returns all
-//! of them.
+//! of them; their operations, by a function for each.
 
 use std::collections::BTreeMap;
 use std::f64::consts::PI;
-use std::ops::Range;
 
-use linkage_compiler::{Checked, check_all};
-use linkage_engine::{Assembly, Mechanism, Source};
+use linkage_engine::{Assembly, Mechanism};
 use linkage_runtime::{Input, Table};
-use proc_macro2::extra::invalidate_current_thread_spans;
 
-use crate::analysis::offset_of_text;
 use crate::declaration::NameKind;
-use crate::facts::Facts;
-use crate::outline::Outline;
+use crate::facts::{Fact, Facts};
+use crate::probe::{Outcome, Request, Snapshot, compiled_with};
 
 /// The number of positions in the range of an input at which values are computed.
 const POSITIONS: usize = 91;
@@ -28,6 +24,8 @@ pub(crate) struct Values {
     pub(crate) names: BTreeMap<String, Value>,
     /// The estimates of unknowns, by name.
     pub(crate) estimates: BTreeMap<String, Value>,
+    /// The operations that compute unknowns and derived quantities, by name, as text.
+    pub(crate) costs: BTreeMap<String, String>,
     /// The input whose range is passed through: name, unit, lower and upper end.
     pub(crate) range: Option<(String, String, f64, f64)>,
 }
@@ -43,173 +41,104 @@ pub(crate) struct Value {
     pub(crate) unit: String,
 }
 
-/// A quantity of the function: the name it is of, and whether it is its estimate.
+/// A quantity: the name it is of, and whether it is its estimate.
 #[derive(Clone)]
 struct Quantity {
     name: String,
     is_estimate: bool,
+    /// True if its operations are counted.
+    has_cost: bool,
     /// Its expression.
     text: String,
 }
 
-/// Computes the values of a mechanism of a text; empty if it cannot be assembled.
-pub(crate) fn values(text: &str, outlines: &[Outline], facts: &Facts) -> Values {
-    let Some(outline) = outlines
-        .iter()
-        .find(|outline| outline.mechanism.name == facts.mechanism)
-    else {
-        return Values::default();
-    };
-    let mut quantities = quantities(text, outline, facts);
+/// Computes the values of all mechanisms of a text, in the order of its facts; empty for one that
+/// cannot be assembled.
+pub(crate) fn values(snapshot: &Snapshot) -> Vec<Values> {
+    let facts = snapshot.facts.iter();
+    let mut all: Vec<Vec<Quantity>> = facts.map(|facts| quantities(snapshot, facts)).collect();
     for _ in 0..ATTEMPTS {
-        let probe = Probe::new(text, outlines, facts, &quantities);
-        match probe.compiled() {
-            Outcome::Compiled(mechanism) => {
-                return evaluated(&mechanism, &probe.function, &quantities).unwrap_or_default();
-            }
-            Outcome::Refused(refused) if refused.is_empty() => break,
-            Outcome::Refused(refused) => {
+        let requests = all.iter().zip(&snapshot.facts);
+        let requests = requests.map(|(quantities, facts)| request(quantities, facts));
+        let (requests, owners): (Vec<_>, Vec<_>) = requests.unzip();
+        let outcomes = compiled_with(snapshot, &requests);
+        let mut is_complete = true;
+        for ((quantities, owners), outcome) in all.iter_mut().zip(&owners).zip(&outcomes) {
+            if let Outcome::Refused(expressions) = outcome {
+                is_complete &= expressions.is_empty();
+                let refused: Vec<usize> = expressions.iter().map(|&index| owners[index]).collect();
                 let mut index = 0..;
                 quantities.retain(|_| !refused.contains(&index.next().unwrap_or_default()));
             }
         }
+        if is_complete {
+            let found = outcomes.iter().zip(&all);
+            return found
+                .map(|(outcome, all)| found_values(outcome, all))
+                .collect();
+        }
     }
-    Values::default()
+    vec![Values::default(); snapshot.facts.len()]
 }
 
-/// Returns the operations that compute a name, as text; `None` if it has no value.
-pub(crate) fn cost(text: &str, outlines: &[Outline], facts: &Facts, name: &str) -> Option<String> {
-    let inputs = facts.inputs.iter().filter(|input| *input != name);
-    let quantity = |name: &String| Quantity {
-        name: name.clone(),
-        is_estimate: false,
-        text: name.clone(),
-    };
-    // Inputs cost nothing, and a function has to use each of its arguments.
-    let name = name.to_owned();
-    let quantities: Vec<Quantity> = [&name].into_iter().chain(inputs).map(quantity).collect();
-    let probe = Probe::new(text, outlines, facts, &quantities);
-    let Outcome::Compiled(mechanism) = probe.compiled() else {
-        return None;
-    };
-    let function = mechanism.function(&probe.function).ok()?;
-    let operations = mechanism.structure().functions[function].operations;
-    match operations.total() {
-        0 => None,
-        _ => Some(operations.to_string()),
+fn found_values(outcome: &Outcome, quantities: &[Quantity]) -> Values {
+    match outcome {
+        Outcome::Compiled(mechanism) => evaluated(mechanism, quantities).unwrap_or_default(),
+        Outcome::Refused(_) => Values::default(),
     }
+}
+
+/// Returns a function of all quantities and one of each whose operations are counted, and the index
+/// of the quantity to which each expression of them belongs.
+fn request(quantities: &[Quantity], facts: &Facts) -> (Request, Vec<usize>) {
+    let texts = quantities.iter().map(|quantity| quantity.text.clone());
+    let mut functions = vec![texts.collect::<Vec<String>>()];
+    let mut owners: Vec<usize> = (0..quantities.len()).collect();
+    let costs = quantities.iter().enumerate();
+    for (index, quantity) in costs.filter(|(_, quantity)| quantity.has_cost) {
+        // Inputs cost nothing, and a function has to use each of its arguments.
+        let expressions = std::iter::once(&quantity.name).chain(&facts.inputs);
+        functions.push(expressions.cloned().collect());
+        owners.resize(owners.len() + 1 + facts.inputs.len(), index);
+    }
+    let request = Request {
+        mechanism: facts.mechanism.clone(),
+        inputs: facts.inputs.clone(),
+        functions,
+    };
+    (request, owners)
 }
 
 /// Returns the quantities of all names with a value, and those of the estimates.
-fn quantities(text: &str, outline: &Outline, facts: &Facts) -> Vec<Quantity> {
+fn quantities(Snapshot { text, outlines, .. }: &Snapshot, facts: &Facts) -> Vec<Quantity> {
+    let mut outlines = outlines.iter();
+    let outline = outlines.find(|outline| outline.mechanism.name == facts.mechanism);
+    let declared = |name: &str| outline?.names.iter().find(|declared| declared.name == name);
     let computed = facts.names.iter().filter(|(_, fact)| fact.is_computed);
     let computed = computed.map(|(name, _)| Quantity {
         name: name.clone(),
         is_estimate: false,
+        has_cost: declared(name).is_some_and(|declared| declared.kind.has_cost()),
         text: name.clone(),
     });
-    let unknowns = outline
-        .names
-        .iter()
-        .filter(|name| name.kind == NameKind::Unknown);
+    let names = outline.iter().flat_map(|outline| &outline.names);
+    let unknowns = names.filter(|name| name.kind == NameKind::Unknown);
     let estimates = unknowns.filter_map(|unknown| {
-        facts
-            .names
-            .get(&unknown.name)
-            .filter(|fact| fact.is_computed)?;
+        let is_computed = |fact: &&Fact| fact.is_computed;
+        facts.names.get(&unknown.name).filter(is_computed)?;
         Some(Quantity {
             name: unknown.name.clone(),
             is_estimate: true,
+            has_cost: false,
             text: format!("({})", text.get(unknown.value.clone()?)?),
         })
     });
     computed.chain(estimates).collect()
 }
 
-/// A text with one more function, and without those of the user.
-struct Probe {
-    text: String,
-    function: String,
-    mechanism: String,
-    /// The bytes of each quantity.
-    places: Vec<Range<usize>>,
-}
-
-/// The result of compiling it.
-enum Outcome {
-    Compiled(Box<Mechanism>),
-    /// The indices of quantities with a mistake.
-    Refused(Vec<usize>),
-}
-
-impl Probe {
-    fn new(text: &str, outlines: &[Outline], facts: &Facts, quantities: &[Quantity]) -> Self {
-        let mut function = "values".to_owned();
-        let mut result = "Values".to_owned();
-        while text.contains(&function) || text.contains(&result) {
-            function.push('_');
-            result.push('V');
-        }
-        let mut probe = without_functions(text, outlines);
-        let inputs = facts.inputs.join(", ");
-        probe += &format!(
-            "\nimpl {} {{ fn {function}({inputs}) -> {result} {{ ",
-            facts.mechanism
-        );
-        let mut places = Vec::new();
-        for (index, quantity) in quantities.iter().enumerate() {
-            let start = probe.len();
-            probe += &format!("q{index}: {}, ", quantity.text);
-            places.push(start..probe.len());
-        }
-        probe += "} }";
-        Self {
-            text: probe,
-            function,
-            mechanism: facts.mechanism.clone(),
-            places,
-        }
-    }
-
-    fn compiled(&self) -> Outcome {
-        let outcome = self.outcome();
-        invalidate_current_thread_spans();
-        outcome.unwrap_or(Outcome::Refused(Vec::new()))
-    }
-
-    fn outcome(&self) -> Option<Outcome> {
-        let source = Source::new("values.mech", &self.text).ok()?;
-        let call = source.calls().first()?;
-        let checked = check_all(call.tokens.clone()).into_iter();
-        let mut checked = checked.map(Checked::in_any_range);
-        let found = checked.find(|checked| checked.name.as_ref() == Some(&self.mechanism))?;
-        if let Some(mechanism) = Mechanism::new(&found) {
-            return Some(Outcome::Compiled(Box::new(mechanism)));
-        }
-        let faults = found.messages.iter();
-        let offset = offset_of_text(&self.text);
-        let faults = faults.map(|message| message.span.first.byte_range().start + offset);
-        let refused = faults.filter_map(|start| {
-            self.places
-                .iter()
-                .position(|location| location.contains(&start))
-        });
-        Some(Outcome::Refused(refused.collect()))
-    }
-}
-
-/// Returns the text with blanks instead of the functions, whose programs are not needed.
-fn without_functions(text: &str, outlines: &[Outline]) -> String {
-    let mut bytes = text.as_bytes().to_vec();
-    for block in outlines.iter().flat_map(|outline| &outline.implementations) {
-        bytes[block.clone()].fill(b' ');
-    }
-    // Blocks begin and end at brackets, so no character is cut.
-    String::from_utf8(bytes).unwrap_or_default()
-}
-
-fn evaluated(mechanism: &Mechanism, function: &str, quantities: &[Quantity]) -> Option<Values> {
-    let number = mechanism.function(function).ok()?;
+/// Returns the values of the quantities of the first function, and the operations of the others.
+fn evaluated(mechanism: &Mechanism, quantities: &[Quantity]) -> Option<Values> {
+    let number = 0;
     let assembly = mechanism.assemble(&mechanism.dimensions()).ok()?;
     let reference = assembly.call(number, &mechanism.reference());
     let range = match mechanism.inputs() {
@@ -220,6 +149,7 @@ fn evaluated(mechanism: &Mechanism, function: &str, quantities: &[Quantity]) -> 
     let mut values = Values {
         range: range
             .map(|(input, low, high)| (input.name.to_owned(), input.unit.to_owned(), low, high)),
+        costs: costs(mechanism, quantities),
         ..Values::default()
     };
     let heading = mechanism.headings()[number];
@@ -247,6 +177,17 @@ fn evaluated(mechanism: &Mechanism, function: &str, quantities: &[Quantity]) -> 
         into.insert(quantity.name.clone(), value);
     }
     Some(values)
+}
+
+/// Returns the operations of the functions after the first, by the names of their quantities.
+fn costs(mechanism: &Mechanism, quantities: &[Quantity]) -> BTreeMap<String, String> {
+    let functions = mechanism.structure().functions.iter().skip(1);
+    let names = quantities.iter().filter(|quantity| quantity.has_cost);
+    let costs = names.zip(functions);
+    let costs = costs.filter(|(_, function)| function.operations.total() > 0);
+    costs
+        .map(|(quantity, function)| (quantity.name.clone(), function.operations.to_string()))
+        .collect()
 }
 
 /// Returns the range of an input that is passed through: the declared one, or a turn.

@@ -80,8 +80,8 @@ impl<'m> linkage_runtime::support::Compiled for Compiled<'m> {
     type States = Vec<InitialState>;
     type Arguments = Arguments;
 
-    fn description(&self) -> &'static Description {
-        self.mechanism.description
+    fn description(&self) -> &Description {
+        &self.mechanism.description
     }
 
     fn assembly(data: DataOf<Self>) -> Assembly<'m> {
@@ -205,8 +205,8 @@ impl Grouped for Compiled<'_> {
     type Lane = Vec<InitialState>;
     type Survey = Vec<f64>;
 
-    fn group_data(&self) -> &'static GroupData {
-        self.mechanism.group_data
+    fn group_data(&self) -> &GroupData {
+        &self.mechanism.group_data
     }
 
     fn states(&self, lanes: &[Vec<InitialState>]) -> Vec<InitialState> {

@@ -1,5 +1,5 @@
 //! A mechanism in the types of the runtime. These are made for generated code and hold constants,
-//! so the description of a mechanism lives as long as the process.
+//! so the description of a mechanism lives as long as the process, once for all equal ones.
 
 mod describe;
 pub(crate) mod forever;
@@ -24,8 +24,9 @@ use forever::forever;
 /// order of [`inputs`](Self::inputs).
 #[derive(Clone, Debug)]
 pub struct Mechanism {
-    pub(crate) description: &'static Description,
-    pub(crate) group_data: &'static GroupData,
+    pub(crate) description: Description,
+    pub(crate) group_data: GroupData,
+    parameters: Vec<Parameter>,
     pub(crate) compiled: CompiledMechanism,
     structure: &'static Structure,
     headings: Vec<&'static Heading>,
@@ -134,6 +135,7 @@ impl Mechanism {
         Some(Self {
             description: describe::description(name, structure.groups, &compiled),
             group_data: describe::group_data(name, &compiled),
+            parameters: describe::parameters(&compiled),
             structure,
             headings: describe::headings(&compiled),
             block_programs: vec![OnceLock::new(); compiled.functions.len()],
@@ -178,8 +180,8 @@ impl Mechanism {
 
     /// Returns its scalar parameters with defaults and tolerances, as the constant `PARAMETERS`.
     #[must_use]
-    pub fn parameters(&self) -> &'static [Parameter] {
-        self.description.parameters
+    pub fn parameters(&self) -> &[Parameter] {
+        &self.parameters
     }
 
     /// Returns its groups and their solutions, as the constant `STRUCTURE`.
@@ -240,10 +242,7 @@ impl Mechanism {
     ///
     /// If there is no such parameter.
     pub fn set_tolerance(&mut self, index: usize, tolerance: f64) {
-        assert!(
-            index < self.description.parameters.len(),
-            "one of its parameters"
-        );
+        assert!(index < self.parameters.len(), "one of its parameters");
         self.set_parameters(|parameter, _, declared| {
             if parameter == index {
                 *declared = tolerance;
@@ -257,24 +256,15 @@ impl Mechanism {
     ///
     /// If there is another number of parameters.
     pub fn set_dimensions(&mut self, dimensions: &[f64]) {
-        assert_eq!(
-            dimensions.len(),
-            self.description.parameters.len(),
-            "its parameters"
-        );
+        assert_eq!(dimensions.len(), self.parameters.len(), "its parameters");
         self.set_parameters(|parameter, nominal, _| *nominal = dimensions[parameter]);
     }
 
     /// Changes default and tolerance of each parameter, by its index.
     fn set_parameters(&mut self, change: impl Fn(usize, &mut f64, &mut f64)) {
-        let mut parameters = self.description.parameters.to_vec();
-        for (index, parameter) in parameters.iter_mut().enumerate() {
+        for (index, parameter) in self.parameters.iter_mut().enumerate() {
             change(index, &mut parameter.nominal, &mut parameter.tolerance);
         }
-        self.description = forever(Description {
-            parameters: forever(parameters),
-            ..*self.description
-        });
         let parameters = self.compiled.parameters.iter_mut();
         let scalars = parameters.flat_map(|parameter| &mut parameter.scalars);
         for (index, scalar) in scalars.enumerate() {

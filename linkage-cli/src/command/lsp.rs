@@ -1,19 +1,25 @@
 //! `linkage lsp`: a language server on standard input and output.
 //!
-//! `linkage-editor` has all answers. Here are the messages of the protocol, and their order.
+//! `linkage-editor` has all answers. Here are the messages of the protocol, and their order. Texts
+//! are read in this thread, and solved in that of the worker.
 
 mod answers;
 mod capabilities;
+mod client;
 mod convert;
 mod documents;
+mod editor;
 mod queue;
+mod request_place;
+mod worker;
 
 use lsp_server::{Connection, ErrorCode, Message, Request, Response};
-use lsp_types::notification::{Notification as _, PublishDiagnostics};
 
 use crate::failure::Failure;
-use capabilities::{capabilities, encoding};
-use documents::Documents;
+use capabilities::capabilities;
+use client::Client;
+use documents::{Change, Documents};
+use editor::Editor;
 use queue::{Next, Queue};
 
 /// Options of the command.
@@ -44,15 +50,17 @@ fn serve(connection: &Connection) -> Result<(), Failure> {
     let (id, params) = connection
         .initialize_start()
         .map_err(|error| broken(&error))?;
-    let encoding = encoding(&params);
-    let answer = capabilities(encoding);
+    let client = Client::new(&params);
+    let answer = capabilities(client);
     connection
         .initialize_finish(id, answer)
         .map_err(|error| broken(&error))?;
-    let mut documents = Documents::new(encoding);
-    let mut queue = Queue::new(&connection.receiver);
+    let (work, done) = worker::start();
+    let mut documents = Documents::new(client, work);
+    let mut queue = Queue::new(&connection.receiver, done);
+    let mut editor = Editor::new(&connection.sender, client);
     loop {
-        match queue.next() {
+        match queue.next(documents.due()) {
             Next::Message(Message::Request(request)) => {
                 if connection
                     .handle_shutdown(&request)
@@ -60,28 +68,40 @@ fn serve(connection: &Connection) -> Result<(), Failure> {
                 {
                     return Ok(());
                 }
-                let response = response(&mut documents, &queue, request);
-                send(connection, response.into());
+                editor.send(response(&mut documents, &queue, request));
             }
             Next::Message(Message::Notification(notification)) => {
                 if let Some(closed) = documents.notified(notification) {
-                    publish(connection, closed);
+                    editor.publish(closed);
                 }
             }
-            // The server sends no requests.
+            // To the request that hints are asked for again: nothing.
             Next::Message(Message::Response(_)) => {}
             Next::Cancelled(id) => {
                 let code = ErrorCode::RequestCanceled as i32;
-                let response = Response::new_err(id, code, "the request is cancelled".to_owned());
-                send(connection, response.into());
+                editor.send(Response::new_err(
+                    id,
+                    code,
+                    "the request is cancelled".to_owned(),
+                ));
             }
             Next::Idle => {
-                for messages in documents.changed_messages() {
-                    publish(connection, messages);
-                }
+                let messages = documents.read_changed();
+                editor.publish_all(messages);
             }
+            Next::Due => editor.publish_all(documents.due_messages()),
+            Next::Done(done) => match documents.take(done) {
+                Some(Change::Messages(messages)) => editor.publish(messages),
+                Some(Change::Values) => editor.refresh_hints(),
+                None => {}
+            },
             Next::Closed => return Ok(()),
+            Next::Stopped => {
+                let fact = "the thread that solves mechanisms has stopped";
+                return Err(Failure::Told(fact.to_owned()));
+            }
         }
+        editor.show_status(documents.are_settled());
     }
 }
 
@@ -92,17 +112,4 @@ fn response(documents: &mut Documents, queue: &Queue<'_>, request: Request) -> R
         return Response::new_err(request.id, code, "the text has changed".to_owned());
     }
     answers::answer(documents, request)
-}
-
-fn publish(connection: &Connection, messages: lsp_types::PublishDiagnosticsParams) {
-    let method = PublishDiagnostics::METHOD.to_owned();
-    send(
-        connection,
-        lsp_server::Notification::new(method, messages).into(),
-    );
-}
-
-/// Sends a message. If the editor is gone, the end of its messages follows.
-fn send(connection: &Connection, message: Message) {
-    let _ = connection.sender.send(message);
 }

@@ -3,11 +3,13 @@
 use std::io::BufReader;
 use std::process::{Child, ChildStdin, ChildStdout, Command, Stdio};
 
-use lsp_server::{Message, Notification, Request, Response};
+use lsp_server::{Message, Notification, Request, RequestId, Response};
 use serde_json::{Value, json};
 
 /// The address of the text that tests edit.
 pub(crate) const URI: &str = "file:///folder%20of%20mine/mechanism.mech";
+
+const PUBLISH: &str = "textDocument/publishDiagnostics";
 
 /// A running server and its editor.
 pub(crate) struct Client {
@@ -19,8 +21,19 @@ pub(crate) struct Client {
 }
 
 impl Client {
-    /// Starts a server, as an editor with these encodings of positions does.
+    /// Starts a server, as an editor with these encodings of positions that takes its status.
     pub(crate) fn start(encodings: &[&str]) -> (Self, Value) {
+        let capabilities = json!({
+            "general": { "positionEncodings": encodings },
+            "experimental": { "serverStatusNotification": true },
+            // Not as the protocol has it: the server reads only what it needs.
+            "notebookDocument": {},
+        });
+        Self::start_as(json!({ "capabilities": capabilities }))
+    }
+
+    /// Starts a server with these parameters of `initialize`.
+    pub(crate) fn start_as(params: Value) -> (Self, Value) {
         let mut command = Command::new(env!("CARGO_BIN_EXE_linkage"));
         command
             .arg("lsp")
@@ -36,12 +49,7 @@ impl Client {
             next: 0,
             version: 0,
         };
-        let capabilities = json!({
-            "general": { "positionEncodings": encodings },
-            // Not as the protocol has it: the server reads only what it needs.
-            "notebookDocument": {},
-        });
-        let answer = client.ask("initialize", json!({ "capabilities": capabilities }));
+        let answer = client.ask("initialize", params);
         client.tell("initialized", json!({}));
         (client, answer)
     }
@@ -68,14 +76,14 @@ impl Client {
         self.next
     }
 
-    /// Returns the answer to a request; messages about texts that come before it are left out.
+    /// Returns the answer to a request; other messages that come before it are left out.
     pub(crate) fn answer(&mut self, id: i32) -> Response {
         loop {
             match self.receive() {
                 Message::Response(response) if response.id == id.into() => return response,
                 Message::Response(other) => panic!("the answer to {}", other.id),
                 Message::Notification(_) => {}
-                Message::Request(request) => panic!("{} from the server", request.method),
+                Message::Request(_) => {}
             }
         }
     }
@@ -102,14 +110,43 @@ impl Client {
         self.ask(method, json!({ "textDocument": { "uri": URI } }))
     }
 
-    /// Opens a text, and returns its messages.
-    pub(crate) fn open(&mut self, language: &str, text: &str) -> Value {
+    /// Opens a text.
+    pub(crate) fn begin_open(&mut self, language: &str, text: &str) {
         self.version += 1;
         let item = json!({
             "uri": URI, "languageId": language, "version": self.version, "text": text,
         });
         self.tell("textDocument/didOpen", json!({ "textDocument": item }));
+    }
+
+    /// Opens a text, and returns its messages.
+    pub(crate) fn open(&mut self, language: &str, text: &str) -> Value {
+        self.begin_open(language, text);
         self.messages()
+    }
+
+    /// Changes the whole text.
+    pub(crate) fn change_whole(&mut self, text: &str) {
+        self.version += 1;
+        let params = json!({
+            "textDocument": { "uri": URI, "version": self.version },
+            "contentChanges": [{ "text": text }],
+        });
+        self.tell("textDocument/didChange", params);
+    }
+
+    /// Waits for a request of the server; returns its number and method.
+    pub(crate) fn request_of_server(&mut self) -> (RequestId, String) {
+        loop {
+            if let Message::Request(request) = self.receive() {
+                return (request.id, request.method);
+            }
+        }
+    }
+
+    /// Answers a request of the server.
+    pub(crate) fn respond(&mut self, id: RequestId, result: Value) {
+        self.send(Response::new_ok(id, result).into());
     }
 
     /// Changes a piece of the text: from a line and column to others.
@@ -125,15 +162,37 @@ impl Client {
         self.tell("textDocument/didChange", params);
     }
 
-    /// Waits for the messages about the newest version of the text.
-    pub(crate) fn messages(&mut self) -> Value {
+    /// Returns the next notification, with its method.
+    pub(crate) fn notification(&mut self) -> (String, Value) {
         loop {
-            let Message::Notification(notification) = self.receive() else {
-                panic!("an answer without a request");
-            };
-            assert_eq!(notification.method, "textDocument/publishDiagnostics");
-            if notification.params["version"] == json!(self.version) {
-                return notification.params["diagnostics"].clone();
+            match self.receive() {
+                Message::Notification(found) => return (found.method, found.params),
+                Message::Response(other) => panic!("the answer to {}", other.id),
+                Message::Request(_) => {}
+            }
+        }
+    }
+
+    /// Waits for the first messages about the newest version of the text, which need no solution.
+    pub(crate) fn first_messages(&mut self) -> Value {
+        loop {
+            let (method, params) = self.notification();
+            if method == PUBLISH && params["version"] == json!(self.version) {
+                return params["diagnostics"].clone();
+            }
+        }
+    }
+
+    /// Waits until the server has computed all about the newest version of the text. Returns the
+    /// last messages.
+    pub(crate) fn messages(&mut self) -> Value {
+        let mut last = self.first_messages();
+        loop {
+            let (method, params) = self.notification();
+            match method.as_str() {
+                PUBLISH => last = params["diagnostics"].clone(),
+                "experimental/serverStatus" if params["quiescent"] == json!(true) => return last,
+                _ => {}
             }
         }
     }

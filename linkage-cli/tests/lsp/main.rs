@@ -2,6 +2,8 @@
 
 mod broken;
 mod client;
+mod editors;
+mod real_editors;
 mod session;
 
 use std::path::Path;

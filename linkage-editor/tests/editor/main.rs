@@ -4,6 +4,7 @@ mod actions;
 mod completion;
 mod hover;
 mod navigation;
+mod two_stages;
 mod written;
 
 use linkage_editor::Document;

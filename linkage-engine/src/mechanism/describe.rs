@@ -20,7 +20,7 @@ pub(super) fn description(
     name: &'static str,
     groups: &'static [Group],
     unit: &CompiledMechanism,
-) -> &'static Description {
+) -> Description {
     let needed = unit.groups.iter().flat_map(|group| &group.parameters);
     let units = unit.groups.iter();
     let units = units.map(|group| forever(group.gap_unit.as_str()));
@@ -28,22 +28,28 @@ pub(super) fn description(
         true => AssemblyMode::Plus,
         false => AssemblyMode::Minus,
     });
-    forever(Description {
+    // Those with numbers are the mechanism's: a text whose dimensions change takes no more memory.
+    let names = parameters(unit).into_iter().map(|parameter| Parameter {
+        nominal: 0.0,
+        tolerance: 0.0,
+        ..parameter
+    });
+    Description {
         name,
         inputs: inputs(unit),
-        parameters: parameters(unit),
+        parameters: forever(names.collect::<Vec<_>>()),
         groups,
         needed: forever(needed.copied().collect::<Vec<_>>()),
         gap_units: forever(units.collect::<Vec<_>>()),
         modes: forever(modes.collect::<Vec<_>>()),
         angles: angles(unit),
-    })
+    }
 }
 
 /// The data that searches for its assemblies need.
-pub(super) fn group_data(name: &'static str, unit: &CompiledMechanism) -> &'static GroupData {
+pub(super) fn group_data(name: &'static str, unit: &CompiledMechanism) -> GroupData {
     let slacks = unit.groups.iter().map(|group| group.slack);
-    forever(GroupData {
+    GroupData {
         levels: forever(unit.levels()),
         slacks: forever(slacks.collect::<Vec<_>>()),
         coupled: groups(name, unit),
@@ -54,7 +60,7 @@ pub(super) fn group_data(name: &'static str, unit: &CompiledMechanism) -> &'stat
             [input] => Some(input.cycle()),
             _ => None,
         },
-    })
+    }
 }
 
 fn inputs(unit: &CompiledMechanism) -> &'static [Input] {
@@ -67,14 +73,15 @@ fn inputs(unit: &CompiledMechanism) -> &'static [Input] {
     forever(inputs.collect::<Vec<_>>())
 }
 
-fn parameters(unit: &CompiledMechanism) -> &'static [Parameter] {
+/// Its scalar parameters with defaults and tolerances.
+pub(super) fn parameters(unit: &CompiledMechanism) -> Vec<Parameter> {
     let parameters = unit.scalars().map(|scalar| Parameter {
         name: forever(scalar.name.as_str()),
         unit: forever(scalar.unit.as_str()),
         nominal: scalar.nominal,
         tolerance: scalar.tolerance,
     });
-    forever(parameters.collect::<Vec<_>>())
+    parameters.collect()
 }
 
 pub(super) fn structure(unit: &CompiledMechanism) -> &'static Structure {

@@ -1,6 +1,6 @@
 //! The answer to each request of an editor.
 
-use linkage_editor::{Document, Encoding, formatted};
+use linkage_editor::formatted;
 use lsp_server::{ErrorCode, ExtractError, Request, RequestId, Response};
 use lsp_types::request::{
     CodeActionRequest, Completion, DocumentHighlightRequest, DocumentSymbolRequest, Formatting,
@@ -9,9 +9,9 @@ use lsp_types::request::{
 };
 use lsp_types::{
     CodeAction, CodeActionKind, CompletionItem, CompletionTextEdit, DocumentHighlight,
-    DocumentSymbolResponse, GotoDefinitionResponse, Hover, HoverContents, InlayHint, InlayHintKind,
-    InlayHintLabel, Location, ParameterInformation, ParameterLabel, PrepareRenameResponse,
-    SemanticTokens, SignatureHelp, SignatureInformation, TextDocumentPositionParams, TextEdit, Uri,
+    DocumentSymbol, DocumentSymbolResponse, GotoDefinitionResponse, Hover, HoverContents,
+    InlayHint, InlayHintKind, InlayHintLabel, Location, ParameterInformation, ParameterLabel,
+    PrepareRenameResponse, SemanticTokens, SignatureHelp, SignatureInformation, TextEdit,
     WorkspaceEdit,
 };
 use serde::de::DeserializeOwned;
@@ -19,6 +19,7 @@ use serde_json::Value;
 
 use super::convert;
 use super::documents::Documents;
+use super::request_place::{At, location};
 
 /// A request that cannot be answered: the code of the protocol, and the reason.
 type Refusal = (ErrorCode, String);
@@ -77,16 +78,6 @@ fn respond(id: RequestId, result: Answer<Value>) -> Response {
     }
 }
 
-/// The place that a request is about.
-#[derive(Clone, Copy)]
-struct At<'d> {
-    document: &'d Document,
-    uri: &'d Uri,
-    /// The byte; 0 for a request about a whole text.
-    offset: usize,
-    encoding: Encoding,
-}
-
 /// Reads a request, and answers it if its text is open.
 fn asked<R>(
     documents: &mut Documents,
@@ -106,48 +97,23 @@ where
             ExtractError::JsonError { error, .. } => wrong(error.to_string()),
         })?;
     let (uri, position) = location;
-    let encoding = documents.encoding;
+    let client = documents.client;
     let unknown = || wrong(format!("`{}` is not open", uri.as_str()));
     let document = documents.find(&uri).ok_or_else(unknown)?;
     let at = At {
         document,
         uri: &uri,
-        offset: convert::offset(document, position, encoding),
-        encoding,
+        offset: convert::offset(document, position, client.encoding),
+        client,
     };
     let value = serde_json::to_value(answer(at, &params)?);
     value.map_err(|error| (ErrorCode::InternalError, error.to_string()))
 }
 
-/// Returns the text that a request is about, and its position if it has one.
-fn location(params: &Value) -> Result<(Uri, lsp_types::Position), serde_json::Error> {
-    if params.get("position").is_some() {
-        let location: TextDocumentPositionParams = serde_json::from_value(params.clone())?;
-        return Ok((location.text_document.uri, location.position));
-    }
-    let text = params.get("textDocument").cloned().unwrap_or_default();
-    let text: lsp_types::TextDocumentIdentifier = serde_json::from_value(text)?;
-    Ok((text.uri, lsp_types::Position::default()))
-}
-
-impl At<'_> {
-    fn range(&self, bytes: &std::ops::Range<usize>) -> lsp_types::Range {
-        convert::range(self.document, bytes, self.encoding)
-    }
-
-    fn location(&self, bytes: &std::ops::Range<usize>) -> Location {
-        Location::new(self.uri.clone(), self.range(bytes))
-    }
-
-    fn edit(&self, edits: Vec<TextEdit>) -> WorkspaceEdit {
-        WorkspaceEdit::new([(self.uri.clone(), edits)].into())
-    }
-}
-
 fn hover(at: At<'_>) -> Answer<Option<Hover>> {
     let found = at.document.hover(at.offset);
     Ok(found.map(|found| Hover {
-        contents: HoverContents::Markup(convert::markdown(&found.markdown)),
+        contents: HoverContents::Markup(convert::markup(&found.markdown, at.client.hover)),
         range: Some(at.range(&found.range)),
     }))
 }
@@ -157,7 +123,7 @@ fn completions(at: At<'_>) -> Answer<Option<lsp_types::CompletionResponse>> {
     let items = words.map(|word| CompletionItem {
         kind: Some(convert::completion_kind(word.kind)),
         detail: (!word.detail.is_empty()).then_some(word.detail),
-        documentation: convert::documentation(&word.documentation),
+        documentation: convert::documentation(&word.documentation, at.client.completion),
         text_edit: Some(CompletionTextEdit::Edit(TextEdit::new(
             at.range(&word.range),
             word.text,
@@ -178,7 +144,7 @@ fn signature(at: At<'_>) -> Answer<Option<SignatureHelp>> {
         documentation: None,
     });
     let signature = SignatureInformation {
-        documentation: convert::documentation(&found.documentation),
+        documentation: convert::documentation(&found.documentation, at.client.signature),
         parameters: Some(arguments.collect()),
         active_parameter: Some(found.active as u32),
         label: found.label,
@@ -220,7 +186,7 @@ fn renamed(at: At<'_>, name: &str) -> Answer<Option<WorkspaceEdit>> {
     Ok(Some(at.edit(convert::edits(
         at.document,
         &edits,
-        at.encoding,
+        at.client.encoding,
     ))))
 }
 
@@ -228,8 +194,12 @@ fn symbols(at: At<'_>) -> Answer<Option<DocumentSymbolResponse>> {
     let found = at.document.symbols();
     let found = found
         .iter()
-        .map(|found| convert::symbol(at.document, found, at.encoding));
-    Ok(Some(DocumentSymbolResponse::Nested(found.collect())))
+        .map(|found| convert::symbol(at.document, found, at.client.encoding));
+    let tree: Vec<DocumentSymbol> = found.collect();
+    Ok(Some(match at.client.has_tree_of_symbols {
+        true => DocumentSymbolResponse::Nested(tree),
+        false => DocumentSymbolResponse::Flat(convert::flat(&tree, at.uri, None)),
+    }))
 }
 
 /// The whole text is replaced if something changes.
@@ -248,7 +218,7 @@ fn formatting(at: At<'_>) -> Answer<Option<Vec<TextEdit>>> {
 fn hints(at: At<'_>, range: lsp_types::Range) -> Answer<Option<Vec<InlayHint>>> {
     let hints = at.document.hints().into_iter();
     let hints = hints.map(|hint| InlayHint {
-        position: convert::position(at.document, hint.offset, at.encoding),
+        position: convert::position(at.document, hint.offset, at.client.encoding),
         label: InlayHintLabel::String(hint.label),
         kind: Some(InlayHintKind::TYPE),
         text_edits: None,
@@ -264,21 +234,21 @@ fn hints(at: At<'_>, range: lsp_types::Range) -> Answer<Option<Vec<InlayHint>>> 
 fn words(at: At<'_>) -> Answer<Option<lsp_types::SemanticTokensResult>> {
     let tokens = SemanticTokens {
         result_id: None,
-        data: convert::words(at.document, at.encoding),
+        data: convert::words(at.document, at.client.encoding),
     };
     Ok(Some(tokens.into()))
 }
 
 fn actions(at: At<'_>, range: lsp_types::Range) -> Answer<Option<lsp_types::CodeActionResponse>> {
     let [start, end] =
-        [range.start, range.end].map(|end| convert::offset(at.document, end, at.encoding));
+        [range.start, range.end].map(|end| convert::offset(at.document, end, at.client.encoding));
     let found = at.document.actions(start..end.max(start)).into_iter();
     let actions = found.map(|action| {
         let message = action
             .diagnostic
             .map(|index| &at.document.diagnostics()[index]);
         let message =
-            message.map(|message| convert::diagnostic(at.document, message, at.uri, at.encoding));
+            message.map(|message| convert::diagnostic(at.document, message, at.uri, at.client));
         let kind = match message {
             Some(_) => CodeActionKind::QUICKFIX,
             None => CodeActionKind::REFACTOR_REWRITE,
@@ -287,7 +257,11 @@ fn actions(at: At<'_>, range: lsp_types::Range) -> Answer<Option<lsp_types::Code
             title: action.fix.title,
             kind: Some(kind),
             diagnostics: message.map(|message| vec![message]),
-            edit: Some(at.edit(convert::edits(at.document, &action.fix.edits, at.encoding))),
+            edit: Some(at.edit(convert::edits(
+                at.document,
+                &action.fix.edits,
+                at.client.encoding,
+            ))),
             ..CodeAction::default()
         };
         action.into()

@@ -1,4 +1,4 @@
-//! The abilities of the server, and the unit of columns that both sides know.
+//! The abilities of the server, as far as the editor has use for them.
 
 use linkage_editor::Encoding;
 use lsp_types::{
@@ -9,24 +9,13 @@ use lsp_types::{
 };
 use serde_json::{Value, json};
 
+use super::client::Client;
 use super::convert;
 
-/// Returns the unit of columns: bytes if the editor knows them, else that of UTF-16.
-///
-/// Only this is read of what the editor offers: any other part of it may be of a later protocol.
-pub(super) fn encoding(params: &Value) -> Encoding {
-    let known = params.pointer("/capabilities/general/positionEncodings");
-    let known = known.and_then(Value::as_array);
-    match known.is_some_and(|known| known.contains(&json!(PositionEncodingKind::UTF8))) {
-        true => Encoding::Utf8,
-        false => Encoding::Utf16,
-    }
-}
-
 /// Returns the answer to `initialize`.
-pub(super) fn capabilities(encoding: Encoding) -> Value {
+pub(super) fn capabilities(client: Client) -> Value {
     let capabilities = ServerCapabilities {
-        position_encoding: Some(match encoding {
+        position_encoding: Some(match client.encoding {
             Encoding::Utf8 => PositionEncodingKind::UTF8,
             Encoding::Utf16 => PositionEncodingKind::UTF16,
         }),
@@ -51,17 +40,22 @@ pub(super) fn capabilities(encoding: Encoding) -> Value {
         document_highlight_provider: Some(OneOf::Left(true)),
         document_symbol_provider: Some(OneOf::Left(true)),
         document_formatting_provider: Some(OneOf::Left(true)),
-        rename_provider: Some(OneOf::Right(RenameOptions {
-            prepare_provider: Some(true),
-            work_done_progress_options: Default::default(),
-        })),
-        code_action_provider: Some(CodeActionProviderCapability::Options(CodeActionOptions {
-            code_action_kinds: Some(vec![
-                CodeActionKind::QUICKFIX,
-                CodeActionKind::REFACTOR_REWRITE,
-            ]),
-            ..Default::default()
-        })),
+        rename_provider: Some(match client.prepares_rename {
+            true => OneOf::Right(RenameOptions {
+                prepare_provider: Some(true),
+                work_done_progress_options: Default::default(),
+            }),
+            false => OneOf::Left(true),
+        }),
+        code_action_provider: client.takes_actions.then(|| {
+            CodeActionProviderCapability::Options(CodeActionOptions {
+                code_action_kinds: Some(vec![
+                    CodeActionKind::QUICKFIX,
+                    CodeActionKind::REFACTOR_REWRITE,
+                ]),
+                ..Default::default()
+            })
+        }),
         inlay_hint_provider: Some(OneOf::Left(true)),
         semantic_tokens_provider: Some(
             SemanticTokensOptions {

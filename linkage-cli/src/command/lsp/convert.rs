@@ -8,8 +8,10 @@ use linkage_editor::{
 use lsp_types::{
     CompletionItemKind, Diagnostic, DiagnosticRelatedInformation, DiagnosticSeverity,
     DocumentSymbol, Documentation, Location, MarkupContent, MarkupKind, SemanticToken,
-    SemanticTokenType, SemanticTokensLegend, SymbolKind, TextEdit, Uri,
+    SemanticTokenType, SemanticTokensLegend, SymbolInformation, SymbolKind, TextEdit, Uri,
 };
+
+use super::client::{Client, Form};
 
 /// Returns a position of the editor.
 pub(super) fn position_of_editor(position: lsp_types::Position) -> Position {
@@ -50,21 +52,25 @@ pub(super) fn range(
 }
 
 /// Returns the messages of a text.
-pub(super) fn diagnostics(document: &Document, uri: &Uri, encoding: Encoding) -> Vec<Diagnostic> {
+pub(super) fn diagnostics(document: &Document, uri: &Uri, client: Client) -> Vec<Diagnostic> {
     let found = document.diagnostics().iter();
     found
-        .map(|found| diagnostic(document, found, uri, encoding))
+        .map(|found| diagnostic(document, found, uri, client))
         .collect()
 }
 
-/// Returns a message, its advice on a second line.
+/// Returns a message, its advice on a second line. Its further places are between them if the editor
+/// does not show them.
 pub(super) fn diagnostic(
     document: &Document,
     found: &linkage_editor::Diagnostic,
     uri: &Uri,
-    encoding: Encoding,
+    client: Client,
 ) -> Diagnostic {
+    let encoding = client.encoding;
     let help = found.help.iter().map(|help| format!("\nhelp: {help}"));
+    let notes = found.related.iter().filter(|_| !client.shows_related);
+    let notes = notes.map(|related| format!("\nnote: {}", related.message));
     let related = found
         .related
         .iter()
@@ -72,7 +78,7 @@ pub(super) fn diagnostic(
             location: Location::new(uri.clone(), range(document, &related.range, encoding)),
             message: related.message.clone(),
         });
-    let related: Vec<_> = related.collect();
+    let related: Vec<_> = related.filter(|_| client.shows_related).collect();
     Diagnostic {
         range: range(document, &found.range, encoding),
         severity: Some(match found.severity {
@@ -80,7 +86,7 @@ pub(super) fn diagnostic(
             Severity::Warning => DiagnosticSeverity::WARNING,
         }),
         source: Some("linkage".to_owned()),
-        message: found.message.clone() + &help.collect::<String>(),
+        message: found.message.clone() + &notes.chain(help).collect::<String>(),
         related_information: (!related.is_empty()).then_some(related),
         ..Diagnostic::default()
     }
@@ -94,17 +100,24 @@ pub(super) fn edits(document: &Document, edits: &[Edit], encoding: Encoding) -> 
     edits.collect()
 }
 
-/// Returns Markdown.
-pub(super) fn markdown(value: &str) -> MarkupContent {
-    MarkupContent {
-        kind: MarkupKind::Markdown,
-        value: value.to_owned(),
+/// Returns Markdown in a form that the editor shows.
+pub(super) fn markup(markdown: &str, form: Form) -> MarkupContent {
+    match form {
+        Form::Markdown => MarkupContent {
+            kind: MarkupKind::Markdown,
+            value: markdown.to_owned(),
+        },
+        Form::Plain => MarkupContent {
+            kind: MarkupKind::PlainText,
+            // Back-ticks are marks of messages, too.
+            value: markdown.replace("\n\n---\n\n", "\n\n"),
+        },
     }
 }
 
 /// Returns a description in Markdown; `None` if it is empty.
-pub(super) fn documentation(value: &str) -> Option<Documentation> {
-    (!value.is_empty()).then(|| Documentation::MarkupContent(markdown(value)))
+pub(super) fn documentation(markdown: &str, form: Form) -> Option<Documentation> {
+    (!markdown.is_empty()).then(|| Documentation::MarkupContent(markup(markdown, form)))
 }
 
 /// Returns the kind of a word that can be written.
@@ -149,6 +162,28 @@ pub(super) fn symbol(document: &Document, found: &Symbol, encoding: Encoding) ->
         selection_range: range(document, &found.range, encoding),
         children: (!inner.is_empty()).then_some(inner),
     }
+}
+
+/// Returns names and those within them, one after the other, each with the name around it.
+pub(super) fn flat(
+    tree: &[DocumentSymbol],
+    uri: &Uri,
+    around: Option<&str>,
+) -> Vec<SymbolInformation> {
+    let all = tree.iter().flat_map(|symbol| {
+        #[allow(deprecated, reason = "the type has no other constructor")]
+        let one = SymbolInformation {
+            name: symbol.name.clone(),
+            kind: symbol.kind,
+            tags: None,
+            deprecated: None,
+            location: Location::new(uri.clone(), symbol.range),
+            container_name: around.map(str::to_owned),
+        };
+        let inner = symbol.children.as_deref().unwrap_or_default();
+        std::iter::once(one).chain(flat(inner, uri, Some(&symbol.name)))
+    });
+    all.collect()
 }
 
 fn symbol_kind(kind: NameKind) -> SymbolKind {

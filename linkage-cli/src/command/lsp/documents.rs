@@ -1,7 +1,9 @@
 //! The texts that are open in the editor.
 
 use std::collections::BTreeMap;
+use std::time::{Duration, Instant};
 
+use crossbeam_channel::Sender;
 use linkage_editor::{Document, Encoding, Lines};
 use lsp_server::Notification;
 use lsp_types::notification::{
@@ -13,47 +15,79 @@ use lsp_types::{
 };
 use serde_json::Value;
 
+use super::client::Client;
 use super::convert;
+use super::worker::{About, Done, Work};
+
+/// The time that the messages about a text wait for its solution, so that most texts have all
+/// messages at once.
+const PATIENCE: Duration = Duration::from_millis(10);
 
 /// All open texts.
 pub(super) struct Documents {
-    pub(super) encoding: Encoding,
+    pub(super) client: Client,
     open: BTreeMap<String, Open>,
+    worker: Sender<About<Work>>,
 }
 
 /// An open text.
 struct Open {
     uri: Uri,
     version: i32,
-    /// The text, which may be newer than the one that has been analysed.
+    /// The text, which may be newer than the one that has been read.
     text: String,
     document: Document,
-    /// True if the messages of this text have not been sent.
+    /// True if the text is newer than the last [`Documents::read_changed`].
     is_new: bool,
+    /// The time at which messages are sent, if the text has not been solved until then.
+    due: Option<Instant>,
 }
 
 impl Open {
-    /// Returns the document of the newest text.
-    fn present(&mut self) -> &Document {
-        if self.document.text() != self.text {
-            self.document.set_text(&self.text);
+    /// Returns the document of the newest text, whose solution may be at work.
+    fn present(&mut self, worker: &Sender<About<Work>>) -> &Document {
+        if self.document.text() != self.text
+            && let Some(solving) = self.document.read(&self.text)
+        {
+            send(worker, &self.uri, Work::Solve(solving));
         }
         &self.document
     }
+
+    fn messages(&self, client: Client) -> PublishDiagnosticsParams {
+        let diagnostics = convert::diagnostics(&self.document, &self.uri, client);
+        PublishDiagnosticsParams::new(self.uri.clone(), diagnostics, Some(self.version))
+    }
+}
+
+/// The consequences of a result of the worker.
+pub(super) enum Change {
+    /// New messages.
+    Messages(PublishDiagnosticsParams),
+    /// New values of names.
+    Values,
 }
 
 impl Documents {
     /// Starts without texts.
-    pub(super) fn new(encoding: Encoding) -> Self {
+    pub(super) fn new(client: Client, worker: Sender<About<Work>>) -> Self {
         Self {
-            encoding,
+            client,
             open: BTreeMap::new(),
+            worker,
         }
     }
 
-    /// Returns an open text, analysed.
+    /// Returns an open text, read.
     pub(super) fn find(&mut self, uri: &Uri) -> Option<&Document> {
-        self.open.get_mut(uri.as_str()).map(Open::present)
+        let open = self.open.get_mut(uri.as_str())?;
+        Some(open.present(&self.worker))
+    }
+
+    /// Returns true if no text is read, solved or evaluated.
+    pub(super) fn are_settled(&self) -> bool {
+        let mut open = self.open.values();
+        open.all(|open| !open.is_new && open.document.is_settled())
     }
 
     /// Notes that a text has been opened, changed or closed. Returns the messages to send of a closed
@@ -83,16 +117,17 @@ impl Documents {
         let name = if is_rust { "text.rs" } else { "text.mech" };
         let open = Open {
             version: opened.version,
-            document: Document::new(name, &opened.text),
+            document: Document::new(name, ""),
             text: opened.text,
             is_new: true,
+            due: None,
             uri: opened.uri.clone(),
         };
         self.open.insert(opened.uri.as_str().to_owned(), open);
     }
 
     fn changed(&mut self, params: DidChangeTextDocumentParams) {
-        let encoding = self.encoding;
+        let encoding = self.client.encoding;
         let changed = params.text_document;
         let Some(open) = self.open.get_mut(changed.uri.as_str()) else {
             return;
@@ -104,18 +139,62 @@ impl Documents {
         open.is_new = true;
     }
 
-    /// Returns the messages of all texts that have changed since the last call.
-    pub(super) fn changed_messages(&mut self) -> Vec<PublishDiagnosticsParams> {
-        let encoding = self.encoding;
-        let changed = self.open.values_mut().filter(|open| open.is_new);
-        let messages = changed.map(|open| {
+    /// Reads all texts that have changed since the last call. Returns the messages of those that
+    /// need no solution; the others are [due](Self::due).
+    pub(super) fn read_changed(&mut self) -> Vec<PublishDiagnosticsParams> {
+        let mut messages = Vec::new();
+        for open in self.open.values_mut().filter(|open| open.is_new) {
             open.is_new = false;
-            let (uri, version) = (open.uri.clone(), open.version);
-            let diagnostics = convert::diagnostics(open.present(), &uri, encoding);
-            PublishDiagnosticsParams::new(uri, diagnostics, Some(version))
-        });
-        messages.collect()
+            let is_solved = open.present(&self.worker).is_solved();
+            open.due = (!is_solved).then(|| Instant::now() + PATIENCE);
+            if is_solved {
+                messages.push(open.messages(self.client));
+            }
+        }
+        messages
     }
+
+    /// Returns the time at which the next messages are to be sent.
+    pub(super) fn due(&self) -> Option<Instant> {
+        self.open.values().filter_map(|open| open.due).min()
+    }
+
+    /// Returns the messages that are due: those of the first stage.
+    pub(super) fn due_messages(&mut self) -> Vec<PublishDiagnosticsParams> {
+        let now = Instant::now();
+        let client = self.client;
+        let open = self.open.values_mut();
+        let due = open.filter(|open| open.due.is_some_and(|due| due <= now));
+        due.map(|open| {
+            open.due = None;
+            open.messages(client)
+        })
+        .collect()
+    }
+
+    /// Takes a result of the worker; that of an earlier version changes nothing.
+    pub(super) fn take(&mut self, (uri, done): About<Done>) -> Option<Change> {
+        let open = self.open.get_mut(&uri)?;
+        match done {
+            Done::Evaluated(values) => open.document.take_values(values).then_some(Change::Values),
+            Done::Solved(solved) => {
+                if let Some(evaluation) = open.document.finish(solved) {
+                    send(&self.worker, &open.uri, Work::Evaluate(evaluation));
+                }
+                // A newer text has other messages.
+                let is_present = open.document.is_solved() && !open.is_new;
+                is_present.then(|| {
+                    open.due = None;
+                    Change::Messages(open.messages(self.client))
+                })
+            }
+        }
+    }
+}
+
+/// Hands work to the worker. If it is gone, the end of its results follows.
+fn send(worker: &Sender<About<Work>>, uri: &Uri, work: Work) {
+    let _ = worker.send((uri.as_str().to_owned(), work));
 }
 
 /// Reads the parameters of a notification; `None` if they are others.

@@ -1,15 +1,19 @@
-//! The messages of the editor that have arrived and wait.
+//! The messages of the editor and the results of the worker that have arrived and wait.
 
 use std::collections::VecDeque;
+use std::time::Instant;
 
-use crossbeam_channel::{Receiver, TryRecvError};
+use crossbeam_channel::{Receiver, TryRecvError, at, never, select};
 use lsp_server::{Message, Request, RequestId};
 use lsp_types::notification::{Cancel, DidChangeTextDocument, Notification as _};
 use serde_json::Value;
 
+use super::worker::{About, Done};
+
 /// Messages in order.
 pub(super) struct Queue<'r> {
     receiver: &'r Receiver<Message>,
+    done: Receiver<About<Done>>,
     waiting: VecDeque<Message>,
     cancelled: VecDeque<RequestId>,
     /// True if nothing has happened since the last [`Next::Idle`].
@@ -25,14 +29,21 @@ pub(super) enum Next {
     Cancelled(RequestId),
     /// No message waits; given once before the next one.
     Idle,
+    /// A result of the worker.
+    Done(About<Done>),
+    /// The time has come that was asked for.
+    Due,
     /// The editor is gone.
     Closed,
+    /// The worker is gone, which is a fault of the compiler.
+    Stopped,
 }
 
 impl<'r> Queue<'r> {
-    pub(super) fn new(receiver: &'r Receiver<Message>) -> Self {
+    pub(super) fn new(receiver: &'r Receiver<Message>, done: Receiver<About<Done>>) -> Self {
         Self {
             receiver,
+            done,
             waiting: VecDeque::new(),
             cancelled: VecDeque::new(),
             is_idle: true,
@@ -40,8 +51,8 @@ impl<'r> Queue<'r> {
         }
     }
 
-    /// Returns the next thing to do; waits for a message if there is nothing.
-    pub(super) fn next(&mut self) -> Next {
+    /// Returns the next thing to do; waits for a message, a result or a time if there is nothing.
+    pub(super) fn next(&mut self, due: Option<Instant>) -> Next {
         self.take_arrived();
         if let Some(id) = self.cancelled.pop_front() {
             return Next::Cancelled(id);
@@ -57,11 +68,16 @@ impl<'r> Queue<'r> {
             self.is_idle = true;
             return Next::Idle;
         }
-        match self.receiver.recv() {
-            Ok(message) => self.add(message),
-            Err(_) => self.is_closed = true,
+        let time = due.map_or_else(never, at);
+        select! {
+            recv(self.receiver) -> message => match message {
+                Ok(message) => self.add(message),
+                Err(_) => self.is_closed = true,
+            },
+            recv(self.done) -> done => return done.map_or(Next::Stopped, Next::Done),
+            recv(time) -> _ => return Next::Due,
         }
-        self.next()
+        self.next(due)
     }
 
     /// Returns true if the text that a request is about changes in a message that waits.
@@ -150,10 +166,11 @@ mod tests {
             .into_iter()
             .for_each(|message| sender.send(message).expect("open"));
         drop(sender);
-        let mut queue = Queue::new(&receiver);
+        let (_worker, done) = unbounded();
+        let mut queue = Queue::new(&receiver, done);
         let mut found = Vec::new();
         loop {
-            found.push(match queue.next() {
+            found.push(match queue.next(None) {
                 Next::Message(Message::Request(request)) => {
                     let word = if queue.changes_later(&request) {
                         "outdated"
@@ -166,6 +183,7 @@ mod tests {
                 Next::Cancelled(id) => format!("cancelled {id}"),
                 Next::Idle => "idle".to_owned(),
                 Next::Closed => return found,
+                Next::Done(_) | Next::Due | Next::Stopped => panic!("there is no worker"),
             });
         }
     }
@@ -191,5 +209,21 @@ mod tests {
             "request 4",
         ];
         assert_eq!(handled(messages), expected);
+    }
+
+    #[test]
+    fn messages_come_before_results_and_times() {
+        let (sender, receiver) = unbounded();
+        let (worker, done) = unbounded();
+        let mut queue = Queue::new(&receiver, done);
+        let now = Some(Instant::now());
+        sender.send(change("a")).expect("open");
+        assert!(matches!(queue.next(now), Next::Message(_)));
+        assert!(matches!(queue.next(now), Next::Idle));
+        assert!(matches!(queue.next(now), Next::Due));
+        drop(worker);
+        assert!(matches!(queue.next(None), Next::Stopped));
+        drop(sender);
+        assert!(matches!(queue.next(now), Next::Closed | Next::Stopped));
     }
 }

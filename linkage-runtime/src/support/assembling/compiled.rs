@@ -45,7 +45,7 @@ pub trait Compiled: Clone {
     type Arguments;
 
     /// Its description.
-    fn description(&self) -> &'static Description;
+    fn description(&self) -> &Description;
 
     /// The reference inputs.
     fn reference(&self) -> Self::Inputs {

@@ -11,7 +11,7 @@ pub struct Description {
     pub name: &'static str,
     /// Its inputs.
     pub inputs: &'static [Input],
-    /// Its scalar parameters.
+    /// Its scalar parameters, of which names and units are read.
     pub parameters: &'static [Parameter],
     /// Its groups in order.
     pub groups: &'static [Group],

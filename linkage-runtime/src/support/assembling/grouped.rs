@@ -60,7 +60,7 @@ pub trait Grouped: Compiled {
     type Survey: AsRef<[Self::Scalar]>;
 
     /// The data that searches need.
-    fn group_data(&self) -> &'static GroupData;
+    fn group_data(&self) -> &GroupData;
 
     /// The initial states of all lanes.
     fn states(&self, lanes: &[Self::Lane]) -> Self::States;

@@ -53,7 +53,7 @@ impl<C: PlainGroups> MechanismPath<'_, C> {
     }
 
     /// Its description.
-    pub(crate) fn description(&self) -> &'static Description {
+    pub(crate) fn description(&self) -> &Description {
         self.to.description()
     }
 
