@@ -3,7 +3,7 @@
 use std::ops::Range;
 
 use linkage_language::model::{CalledWord, Law};
-use linkage_language::syntax::{ClauseWord, ItemWord, Word};
+use linkage_language::syntax::{ClauseWord, ItemWord, LinkClause, Word};
 
 use crate::context::next_solid;
 use crate::declaration::NameKind;
@@ -87,6 +87,7 @@ pub fn language_words() -> Vec<(&'static str, Colour)> {
     let keywords = structure
         .chain(ItemWord::all().map(Word::word))
         .chain(ClauseWord::all().map(Word::word))
+        .chain(LinkClause::all().map(Word::word))
         .chain(Law::all().map(Word::word));
     let keywords = keywords.map(|word| (word, Colour::Keyword));
     let functions = CalledWord::all().map(|word| (word.word(), Colour::Function));
@@ -101,6 +102,7 @@ fn colour(word: &str, is_called: bool) -> Option<Colour> {
     let is_keyword = STRUCTURE.contains(&word)
         || ItemWord::from_word(word).is_some()
         || ClauseWord::from_word(word).is_some()
+        || LinkClause::from_word(word).is_some()
         || Law::from_word(word).is_some();
     is_keyword.then_some(Colour::Keyword)
 }

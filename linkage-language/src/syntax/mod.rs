@@ -43,6 +43,7 @@ pub use keyword::{
     ClauseWord, DeclarationWord, ItemWord, JointKind, LinkedWord, LoadWord, is_keyword,
 };
 pub use link_inventory::*;
+pub use linked::LinkClause;
 pub use linked_tree::*;
 pub use mechanics_tree::*;
 pub use mechanism_blocks::parse;

@@ -1,5 +1,7 @@
 //! Calls and values next to names, as the language server has them.
 
+use linkage_browser::Key;
+
 use crate::page::{EDITOR, Shown};
 
 #[test]
@@ -56,8 +58,35 @@ fn words_have_the_colours_of_the_compiler() {
     };
     let [keyword, function] = ["param", "polar"].map(|word| shown.page.words(&colour(word)));
     assert_ne!(keyword, function);
-    for word in ["unit", "loop", "unknown", "struct"] {
+    for word in ["unit", "loop", "unknown", "struct", "input"] {
         assert_eq!(shown.page.words(&colour(word)), keyword, "{word}");
     }
+    shown.page.assert_quiet();
+}
+
+/// Lines are indented by their braces, and no bracket is written twice.
+#[test]
+fn a_block_is_written_as_it_is_typed() {
+    let Some(mut shown) = Shown::open() else {
+        return;
+    };
+    shown.after(|page| page.value("playground.editor.replace('')"));
+    shown.page.value("playground.editor.view.focus()");
+    for line in [
+        "struct Crank {",
+        "unit mm;",
+        "let tip = polar(2mm, 30deg);",
+        "}",
+    ] {
+        // Letter by letter, as brackets are answered.
+        for letter in line.chars() {
+            shown.page.type_text(&letter.to_string());
+        }
+        shown.page.key(Key::Enter);
+    }
+    assert_eq!(
+        shown.text(),
+        "struct Crank {\n    unit mm;\n    let tip = polar(2mm, 30deg);\n}\n"
+    );
     shown.page.assert_quiet();
 }

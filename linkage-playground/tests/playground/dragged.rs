@@ -25,6 +25,11 @@ fn a_drawn_joint_is_dragged() {
     };
     let text = shown.text();
     shown.page.click("#shape");
+    // Joints that can be dragged are marked.
+    let width = format!(
+        "parseFloat(getComputedStyle({FRAME}.querySelector('[data-point=\"k\"] .mark')).strokeWidth)"
+    );
+    assert_eq!(shown.page.number(&width), 3.0);
     let from = shown.point("k");
     drag(&mut shown.page, from, (30.0, -20.0));
     shown.page.wait(&format!(

@@ -16,9 +16,11 @@ function parserOf({ keywords, functions }) {
   };
   return {
     name: "linkage",
-    startState: () => ({ comment: false }),
+    startState: () => ({ comment: false, depth: 0 }),
     token: (stream, state) => tokenOf(stream, state, wordKind),
-    languageData: { commentTokens: { line: "//" }, closeBrackets: { brackets: ["(", "[", "{"] } },
+    indent: ({ depth }, after, { unit }) => Math.max(0, depth - (/^\s*[})\]]/.test(after) ? 1 : 0)) * unit,
+    // The end of a block is on a line of its own, where a bracket that the editor has written would be a second one.
+    languageData: { commentTokens: { line: "//" }, closeBrackets: { brackets: ["(", "["] }, indentOnInput: /^\s*[})\]]$/ },
   };
 }
 
@@ -41,9 +43,11 @@ function tokenOf(stream, state, wordKind) {
   }
   if (stream.match(/^\d[\d_]*(\.\d+)?([eE][-+]?\d+)?/)) return "number";
   if (stream.match(/^[\p{L}_][\p{L}\d_]*/u)) return wordKind(stream);
-  stream.next();
+  state.depth = Math.max(0, state.depth + (DEPTHS[stream.next()] ?? 0));
   return "operator";
 }
+
+const DEPTHS = { "{": 1, "(": 1, "[": 1, "}": -1, ")": -1, "]": -1 };
 
 const colours = HighlightStyle.define([
   { tag: tags.comment, color: "var(--comment)" },
