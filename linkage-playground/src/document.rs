@@ -1,6 +1,7 @@
 //! The text as editors see it: messages with changes to take, hover, completion.
 
 use std::cell::RefCell;
+use std::ops::Range;
 
 use linkage_editor::{
     Colour, Completion, CompletionKind, Diagnostic, Document, Edit, Fix, NameKind, Severity,
@@ -118,19 +119,31 @@ pub(crate) fn signature(text: &str, at_utf16: usize) -> String {
     signature.unwrap_or(Value::Null).to_string()
 }
 
-/// Lists the values next to names, each with its place in units of UTF-16.
+/// Lists the values next to names, each with its place in units of UTF-16, and the places of names
+/// that are words of the language elsewhere.
 pub(crate) fn hints(text: &str) -> String {
-    let hints = with_document(text, |document, positions| {
-        let hints = document.hints().into_iter().map(|hint| {
+    with_document(text, |document, positions| {
+        let values = document.hints().into_iter().map(|hint| {
             json!({
                 "at": positions.utf16(hint.offset),
                 "label": hint.label,
                 "isSolution": hint.is_solution,
             })
         });
-        hints.collect::<Vec<_>>()
-    });
-    Value::from(hints).to_string()
+        let language = language_words();
+        let is_word = |range: &Range<usize>| {
+            language
+                .iter()
+                .any(|(word, _)| *word == &text[range.clone()])
+        };
+        let words = document.words().into_iter();
+        let names =
+            words.filter(|word| matches!(word.colour, Colour::Name(_)) && is_word(&word.range));
+        let names =
+            names.map(|word| [word.range.start, word.range.end].map(|at| positions.utf16(at)));
+        json!({ "values": values.collect::<Vec<_>>(), "names": names.collect::<Vec<_>>() })
+            .to_string()
+    })
 }
 
 /// Lists the words of the language by their colours.

@@ -14,7 +14,7 @@ use crate::{analysis, benchmark, bits, document, examples, exports};
 /// | `hover` | `text`, `at` | the description of a word as Markdown, with its place |
 /// | `complete` | `text`, `at` | words that can be written |
 /// | `signature` | `text`, `at` | the call around a place with its arguments, or `null` |
-/// | `hints` | `text` | values next to names |
+/// | `hints` | `text` | values next to names, and names that are words elsewhere |
 /// | `words` | | the words of the language by their colours |
 /// | `format` | `text` | the text with other blanks, or `null` if it cannot be read |
 /// | `actions` | `text`, `from`, `to` | changes for some words, each with its title |

@@ -61,6 +61,11 @@ fn words_have_the_colours_of_the_compiler() {
     for word in ["unit", "loop", "unknown", "struct", "input"] {
         assert_eq!(shown.page.words(&colour(word)), keyword, "{word}");
     }
+    // A name of the text, which is a word of the language in a joint.
+    let pin = format!("{EDITOR}.querySelector('.declared')");
+    shown.page.wait(&format!("{pin}?.textContent === 'along'"));
+    let name = format!("getComputedStyle({pin}.querySelector('span') ?? {pin}).color");
+    assert_ne!(shown.page.words(&name), keyword);
     shown.page.assert_quiet();
 }
 

@@ -42,13 +42,13 @@ export class Assist {
     return found?.label === undefined ? null : found;
   };
 
-  // Gives the values next to names to `show`, unless the text changes before.
+  // Gives values next to names, and names that are words elsewhere, to `show`, unless the text changes before.
   hintsLater(show) {
     clearTimeout(this.#timer);
     this.#timer = setTimeout(async () => {
       const text = this.#text();
       const found = await this.#ask({ do: "hints" });
-      if (Array.isArray(found) && text === this.#text()) show(found);
+      if (found?.values !== undefined && text === this.#text()) show(found);
     }, PAUSE);
   }
 }

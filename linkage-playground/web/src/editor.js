@@ -88,6 +88,7 @@ const theme = EditorView.theme({
   ".hover p, .hover pre": { margin: "2px 0" },
   ".hover hr": { margin: "4px 0", border: "solid var(--line)", borderWidth: "1px 0 0" },
   ".hover code, .hover pre": { fontFamily: "ui-monospace, 'Cascadia Mono', 'DejaVu Sans Mono', Menlo, monospace", fontSize: "13px" },
+  ".declared, .declared span": { color: "var(--ink) !important", fontWeight: "400 !important" },
   ".hint": { color: "var(--faint)", fontSize: "12px", fontStyle: "italic" },
   ".cm-matchingBracket": { backgroundColor: "var(--selection) !important" },
 });

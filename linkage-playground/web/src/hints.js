@@ -1,4 +1,4 @@
-// Values next to names: of derived quantities, and solutions that differ from their estimates.
+// Values next to names: of derived quantities, and solutions that differ from their estimates. Names that are words of the language elsewhere.
 
 import { StateEffect, StateField } from "@codemirror/state";
 import { Decoration, EditorView, WidgetType } from "@codemirror/view";
@@ -21,9 +21,11 @@ class Hint extends WidgetType {
   }
 }
 
-function decorations(hints) {
-  const all = hints.map(({ at, label, isSolution }) => Decoration.widget({ widget: new Hint(label, isSolution), side: 1 }).range(at));
-  return Decoration.set(all, true);
+const name = Decoration.mark({ class: "declared" });
+
+function decorations({ values, names }) {
+  const hints = values.map(({ at, label, isSolution }) => Decoration.widget({ widget: new Hint(label, isSolution), side: 1 }).range(at));
+  return Decoration.set([...hints, ...names.map(([from, to]) => name.range(from, to))], true);
 }
 
 // Values follow their names while the text changes, until others are shown.

@@ -34,7 +34,9 @@ export class Storage {
   resumed() {
     const before = parsed(this.#session?.getItem(SESSION) ?? null);
     if (before === null) return null;
-    this.#id = before.id;
+    // A copy of a window has the same session, and is another document.
+    const [{ type } = {}] = performance.getEntriesByType("navigation");
+    if (type === "reload") this.#id = before.id;
     return before;
   }
 
