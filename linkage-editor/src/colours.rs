@@ -3,7 +3,7 @@
 use std::ops::Range;
 
 use linkage_language::model::{CalledWord, Law};
-use linkage_language::syntax::{ClauseWord, ItemWord, Word};
+use linkage_language::syntax::{ClauseWord, ItemWord, LinkClause, Word};
 
 use crate::context::next_solid;
 use crate::declaration::NameKind;
@@ -76,16 +76,33 @@ pub(crate) fn words(document: &Document) -> Vec<ColouredWord> {
     found
 }
 
+/// Words of the language that are part of no list with meanings.
+const STRUCTURE: [&str; 7] = ["pub", "struct", "impl", "fn", "in", "redundant", "frame"];
+
+/// Returns the words of the language with their colours. A function is one only before an opening
+/// parenthesis, and may be a keyword elsewhere.
+#[must_use]
+pub fn language_words() -> Vec<(&'static str, Colour)> {
+    let structure = STRUCTURE.into_iter();
+    let keywords = structure
+        .chain(ItemWord::all().map(Word::word))
+        .chain(ClauseWord::all().map(Word::word))
+        .chain(LinkClause::all().map(Word::word))
+        .chain(Law::all().map(Word::word));
+    let keywords = keywords.map(|word| (word, Colour::Keyword));
+    let functions = CalledWord::all().map(|word| (word.word(), Colour::Function));
+    keywords.chain(functions).collect()
+}
+
 /// Returns the meaning of a word that is no declared name.
 fn colour(word: &str, is_called: bool) -> Option<Colour> {
     if is_called && CalledWord::from_word(word).is_some() {
         return Some(Colour::Function);
     }
-    let is_keyword = matches!(
-        word,
-        "pub" | "struct" | "impl" | "fn" | "in" | "redundant" | "frame"
-    ) || ItemWord::from_word(word).is_some()
+    let is_keyword = STRUCTURE.contains(&word)
+        || ItemWord::from_word(word).is_some()
         || ClauseWord::from_word(word).is_some()
+        || LinkClause::from_word(word).is_some()
         || Law::from_word(word).is_some();
     is_keyword.then_some(Colour::Keyword)
 }

@@ -17,7 +17,7 @@
 //! | list the names of a text | [`Document::symbols`] |
 //! | offer changes | [`Document::actions`] |
 //! | format | [`formatted`] |
-//! | colour words | [`Document::words`] |
+//! | colour words | [`Document::words`], [`language_words`] |
 //! | convert bytes to lines and columns | [`Lines`] |
 //!
 //! Places are bytes of the text.
@@ -58,7 +58,7 @@ mod two_stages;
 mod uses;
 
 pub use actions::Action;
-pub use colours::{Colour, ColouredWord};
+pub use colours::{Colour, ColouredWord, language_words};
 pub use completion_list::{Completion, CompletionKind};
 pub use computed::{Evaluated, Evaluation};
 pub use declaration::NameKind;

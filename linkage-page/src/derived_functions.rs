@@ -1,7 +1,7 @@
 //! Functions that the page of a mechanism needs and its text does not have: those for the drawing
 //! and for all unknowns.
 
-use linkage_compiler::check_all;
+use linkage_compiler::{Driver, check_all};
 use linkage_engine::{Mechanism, Source};
 use proc_macro2::TokenStream;
 
@@ -34,6 +34,45 @@ impl Missing {
     }
 }
 
+/// Returns the tokens of a call with a further function for each of its mechanisms that lacks a
+/// [drawing](Missing::Drawing), so that all of it is compiled once. `None` if no drawing is missing,
+/// or a name has a mistake. The compiler may still refuse the function: it must depend on all inputs.
+#[must_use]
+pub fn with_drawings(tokens: &TokenStream) -> Option<TokenStream> {
+    let mut further = String::new();
+    for (_, model) in Driver::resolve(tokens.clone()) {
+        let model = model?;
+        let mechanism = &model.mechanism;
+        let functions = mechanism.evaluators.iter();
+        let functions = functions.map(|function| &function.name[..]);
+        let inputs = mechanism.inputs.iter();
+        let inputs: Vec<&str> = inputs.map(|input| &input.name[..]).collect();
+        let mut evaluators = mechanism.evaluators.iter();
+        let has_drawing = evaluators.any(|function| function.asked_picture().is_some());
+        if functions.len() > 0 && !inputs.is_empty() && !has_drawing {
+            further.push_str(&drawing(&mechanism.name, &inputs, functions));
+        }
+    }
+    let further: TokenStream = further.parse().ok()?;
+    let tokens = tokens.clone().into_iter();
+    (!further.is_empty()).then(|| tokens.chain(further).collect())
+}
+
+/// The function for a missing drawing, next to other functions.
+fn drawing<'a>(
+    mechanism: &str,
+    inputs: &[&str],
+    functions: impl Iterator<Item = &'a str> + Clone,
+) -> String {
+    let [name, result, fields] = PICTURE;
+    let name = free(functions, name);
+    let inputs = inputs.join(", ");
+    format!("impl {mechanism} {{ fn {name}({inputs}) -> {result} {{ {fields} }} }}\n")
+}
+
+/// The function for a drawing: its name, its result, and the fields of that.
+const PICTURE: [&str; 3] = ["picture", "WholePicture", "shape: picture()"];
+
 /// Returns a mechanism of a text with the functions that are missing, as far as the compiler
 /// accepts them; `None` if it accepts none.
 #[must_use]
@@ -44,7 +83,8 @@ pub fn with_functions(
 ) -> Option<Mechanism> {
     let inputs: Vec<&str> = mechanism.inputs().iter().map(|input| input.name).collect();
     let motion = ("motion", "AllUnknowns", unknowns(mechanism));
-    let picture = ("picture", "WholePicture", "shape: picture()".to_owned());
+    let [name, result, fields] = PICTURE;
+    let picture = (name, result, fields.to_owned());
     let fields = match missing {
         Missing::Nothing => Vec::new(),
         Missing::Drawing => vec![picture],
@@ -52,7 +92,8 @@ pub fn with_functions(
     };
     let fields = fields.into_iter().filter(|(.., fields)| !fields.is_empty());
     let found = fields.filter_map(|(name, result, fields)| {
-        let name = free(mechanism, name);
+        let functions = mechanism.compiled().functions.iter();
+        let name = free(functions.map(|function| &function.name[..]), name);
         let functions = selections(&inputs).into_iter().map(|inputs| {
             let inputs = inputs.join(", ");
             format!("fn {name}({inputs}) -> {result} {{ {fields} }}\n")
@@ -70,11 +111,10 @@ pub fn with_functions(
     }
 }
 
-/// A name that no function of the mechanism has: with low lines at its end if needed.
-fn free(mechanism: &Mechanism, name: &str) -> String {
-    let functions = &mechanism.compiled().functions;
+/// A name that no function has: with low lines at its end if needed.
+fn free<'a>(functions: impl Iterator<Item = &'a str> + Clone, name: &str) -> String {
     let mut name = name.to_owned();
-    while functions.iter().any(|function| function.name == name) {
+    while functions.clone().any(|function| function == name) {
         name.push('_');
     }
     name

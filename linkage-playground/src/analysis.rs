@@ -1,7 +1,9 @@
 //! The analysis of a text after each key: messages, and the data of the pages.
 
-use linkage_compiler::check_all;
+use linkage_compiler::{Checked, check_all};
 use linkage_engine::{Mechanism, Source};
+use linkage_page::with_drawings;
+use proc_macro2::TokenStream;
 use serde_json::{Value, json};
 
 use crate::document::{FILE, messages};
@@ -38,7 +40,7 @@ fn compiled(text: &str) -> Compiled {
         ..Compiled::default()
     };
     for call in source.calls() {
-        for checked in check_all(call.tokens.clone()) {
+        for checked in checked_with_drawings(&call.tokens) {
             compiled.is_plain &= checked.messages.is_empty() && checked.warnings.is_empty();
             // Its motion shows where a range is refused.
             let Some(mechanism) = Mechanism::new(&checked.in_any_range()) else {
@@ -51,6 +53,14 @@ fn compiled(text: &str) -> Compiled {
         }
     }
     compiled
+}
+
+/// The mechanisms of a call, with functions for missing drawings unless these are refused. The page
+/// needs such a function, and a second compilation would take as long as the first one.
+fn checked_with_drawings(tokens: &TokenStream) -> Vec<Checked> {
+    let drawn = with_drawings(tokens).map(check_all);
+    let drawn = drawn.filter(|drawn| drawn.iter().all(|checked| checked.messages.is_empty()));
+    drawn.unwrap_or_else(|| check_all(tokens.clone()))
 }
 
 /// The answer. Data of pages are JSON already.

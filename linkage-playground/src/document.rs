@@ -1,9 +1,11 @@
 //! The text as editors see it: messages with changes to take, hover, completion.
 
 use std::cell::RefCell;
+use std::ops::Range;
 
 use linkage_editor::{
-    Completion, CompletionKind, Diagnostic, Document, Edit, Fix, NameKind, Severity,
+    Colour, Completion, CompletionKind, Diagnostic, Document, Edit, Fix, NameKind, Severity,
+    language_words,
 };
 use serde_json::{Value, json};
 
@@ -97,6 +99,61 @@ pub(crate) fn hover(text: &str, at_utf16: usize) -> String {
         }))
     });
     hover.unwrap_or(Value::Null).to_string()
+}
+
+/// Describes the call around a place, counted in units of UTF-16; `null` if there is none. Arguments
+/// are pairs of places in the label.
+pub(crate) fn signature(text: &str, at_utf16: usize) -> String {
+    let signature = with_document(text, |document, positions| {
+        let signature = document.signature(positions.byte(at_utf16))?;
+        let label = Positions::new(&signature.label);
+        let arguments = signature.arguments.iter();
+        let arguments = arguments.map(|range| [range.start, range.end].map(|at| label.utf16(at)));
+        Some(json!({
+            "label": signature.label,
+            "arguments": arguments.collect::<Vec<_>>(),
+            "active": signature.active,
+            "documentation": signature.documentation,
+        }))
+    });
+    signature.unwrap_or(Value::Null).to_string()
+}
+
+/// Lists the values next to names, each with its place in units of UTF-16, and the places of names
+/// that are words of the language elsewhere.
+pub(crate) fn hints(text: &str) -> String {
+    with_document(text, |document, positions| {
+        let values = document.hints().into_iter().map(|hint| {
+            json!({
+                "at": positions.utf16(hint.offset),
+                "label": hint.label,
+                "isSolution": hint.is_solution,
+            })
+        });
+        let language = language_words();
+        let is_word = |range: &Range<usize>| {
+            language
+                .iter()
+                .any(|(word, _)| *word == &text[range.clone()])
+        };
+        let words = document.words().into_iter();
+        let names =
+            words.filter(|word| matches!(word.colour, Colour::Name(_)) && is_word(&word.range));
+        let names =
+            names.map(|word| [word.range.start, word.range.end].map(|at| positions.utf16(at)));
+        json!({ "values": values.collect::<Vec<_>>(), "names": names.collect::<Vec<_>>() })
+            .to_string()
+    })
+}
+
+/// Lists the words of the language by their colours.
+pub(crate) fn words() -> String {
+    let of = |colour: Colour| -> Vec<&str> {
+        let words = language_words().into_iter();
+        let words = words.filter(|(_, other)| *other == colour);
+        words.map(|(word, _)| word).collect()
+    };
+    json!({ "keywords": of(Colour::Keyword), "functions": of(Colour::Function) }).to_string()
 }
 
 /// Lists the words that can be written at a place, counted in units of UTF-16, as the editor of the

@@ -3,6 +3,7 @@
 use linkage_c::{Real, all_sources};
 use linkage_engine::{Mechanism, Source, compile};
 use linkage_js::modules;
+use linkage_report::{CsvStyle, Report, ReportError};
 use linkage_runtime::Programs;
 use serde_json::{Value, json};
 
@@ -10,7 +11,8 @@ use crate::document::FILE;
 use crate::page::{report_of, shown, whole_page};
 
 /// Returns files of a format as JSON, each with name and text: `c` and `js` for all mechanisms of
-/// the text, `svg`, `dxf`, `csv` and `page` for the one of this name.
+/// the text, `svg`, `dxf`, `csv`, `csv-radians` and `page` for the one of this name. Angles in `csv` are in
+/// degrees, as the page shows them.
 ///
 /// # Errors
 ///
@@ -71,7 +73,7 @@ fn report_files(
     let found = found.ok_or_else(|| format!("there is no mechanism `{name}`"))?;
     let source = Source::new(FILE, text).map_err(|error| error.to_string())?;
     let mechanism = shown(&source, found)?;
-    let why = |error: linkage_report::ReportError| error.to_string();
+    let why = |error: ReportError| error.to_string();
     let report = report_of(&source, &mechanism, Programs { description: "" })?;
     match format {
         "svg" => {
@@ -86,15 +88,21 @@ fn report_files(
             format!("{name}.html"),
             whole_page(&source, &mechanism)?,
         )]),
-        "csv" => {
-            let headings = mechanism.headings().iter();
-            let tables = headings.filter_map(|heading| {
-                // Functions without the first input have no table.
-                let table = report.csv(heading.function).ok()?;
-                Some((format!("{}.csv", heading.function), table))
-            });
-            Ok(tables.collect())
-        }
+        "csv" => Ok(tables(
+            &report.csv_style(CsvStyle::default().degrees(true)),
+            &mechanism,
+        )),
+        "csv-radians" => Ok(tables(&report, &mechanism)),
         other => Err(format!("there is no format `{other}`")),
     }
+}
+
+/// A table for each function that takes the first input.
+fn tables(report: &Report, mechanism: &Mechanism) -> Files {
+    let headings = mechanism.headings().iter();
+    let tables = headings.filter_map(|heading| {
+        let table = report.csv(heading.function).ok()?;
+        Some((format!("{}.csv", heading.function), table))
+    });
+    tables.collect()
 }

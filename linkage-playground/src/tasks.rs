@@ -13,6 +13,9 @@ use crate::{analysis, benchmark, bits, document, examples, exports};
 /// | `analyse` | `text` | lines: messages with their places, then data and programs of each page |
 /// | `hover` | `text`, `at` | the description of a word as Markdown, with its place |
 /// | `complete` | `text`, `at` | words that can be written |
+/// | `signature` | `text`, `at` | the call around a place with its arguments, or `null` |
+/// | `hints` | `text` | values next to names, and names that are words elsewhere |
+/// | `words` | | the words of the language by their colours |
 /// | `format` | `text` | the text with other blanks, or `null` if it cannot be read |
 /// | `actions` | `text`, `from`, `to` | changes for some words, each with its title |
 /// | `export` | `text`, `format`, `mechanism` | files with their names |
@@ -37,6 +40,9 @@ fn answered(request: &Value) -> Result<String, String> {
     match text("do") {
         "analyse" => Ok(analysis::analysis(text("text"))),
         "hover" => Ok(document::hover(text("text"), count("at"))),
+        "signature" => Ok(document::signature(text("text"), count("at"))),
+        "hints" => Ok(document::hints(text("text"))),
+        "words" => Ok(document::words()),
         "format" => Ok(json!({ "text": formatted(text("text")) }).to_string()),
         "actions" => Ok(document::actions(text("text"), count("from"), count("to"))),
         "complete" => Ok(document::completions(text("text"), count("at"))),

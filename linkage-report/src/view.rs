@@ -11,8 +11,9 @@ use linkage_formats::colour::page_rules;
 use linkage_js::engine::{OTHERS, engine, with_constants};
 
 /// Scripts of a frame before and after the one that starts the page.
-pub(super) const VIEW: [&str; 2] = [
+pub(super) const VIEW: [&str; 3] = [
     include_str!("page/view/state.js"),
+    include_str!("page/view/renew.js"),
     include_str!("page/view/handle.js"),
 ];
 
@@ -42,9 +43,9 @@ pub struct PageView {
 pub fn page_view(interpreter: &str) -> PageView {
     let engine = engine();
     let engine = std::format!(
-        "const engine = (() => {{\n{engine}\n{OTHERS}\n{interpreter}\nreturn {{ assembled, evaluate, gapsAt, solutionsAt, standing, AssemblyError, programs: host.programs.map(revived) }};\n}})();\n"
+        "const engine = (() => {{\n{engine}\n{OTHERS}\n{interpreter}\nreturn {{ assembled, evaluate, gapsAt, solutionsAt, standing, revived, AssemblyError, programs: host.programs.map(revived) }};\n}})();\n"
     );
-    let [state, handle] = VIEW;
+    let [state, renew, handle] = VIEW;
     let script = [
         &engine,
         &page_constant(ALL_SHAPES.into_iter()),
@@ -52,6 +53,7 @@ pub fn page_view(interpreter: &str) -> PageView {
         NO_CYCLOGRAM,
         &with_constants(&LIVE.join("\n")),
         state,
+        renew,
         SCRIPTS[START],
         handle,
     ];

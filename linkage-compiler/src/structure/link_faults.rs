@@ -9,6 +9,10 @@ use crate::model::{LinkInventory, LinkLoop, Mechanism, unknown_frames};
 use crate::structure::equations::{Coordinate, Equation};
 use crate::structure::fault::OURS;
 
+/// The advice for a mechanism that lacks its input and nothing else.
+const DRIVE: &str = "drive one of them by an input: declare `input phi = 60deg in 0deg..360deg;`, \
+                     and write `at phi` at the end of its link";
+
 /// The links and joints of a mechanism whose loops stand for nothing else.
 pub(crate) struct LinkCount<'m> {
     mechanism: &'m Mechanism,
@@ -101,9 +105,13 @@ impl LinkCount<'_> {
                 "its direction: `at ANGLE`",
             )
         };
+        let is_without_input = surplus == 1 && self.inventory.driven.is_empty();
+        let help = match is_without_input && !self.inventory.spatial {
+            true => DRIVE.to_owned(),
+            false => format!("{hold} by {further}, or give a link {drive}"),
+        };
         format!(
-            "more motions than inputs: {}; {} {still}\n\
-             help: {hold} by {further}, or give a link {drive}",
+            "more motions than inputs: {}; {} {still}\nhelp: {help}",
             self.mobility(),
             listed(&moved),
         )

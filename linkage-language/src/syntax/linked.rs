@@ -16,7 +16,7 @@ use crate::diagnostic::text::{list, nearest};
 
 vocabulary! {
     /// The word that a clause of a link begins with.
-    enum LinkClause {
+    pub enum LinkClause {
         /// The direction from the first joint to the second.
         At = "at",
         /// The distance of the first two joints.

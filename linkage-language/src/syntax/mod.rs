@@ -45,6 +45,7 @@ pub use keyword::{
 };
 pub use link_elements::*;
 pub use link_inventory::*;
+pub use linked::LinkClause;
 pub use linked_tree::*;
 pub use mechanics_tree::*;
 pub use mechanism_blocks::parse;

@@ -25,6 +25,11 @@ fn a_drawn_joint_is_dragged() {
     };
     let text = shown.text();
     shown.page.click("#shape");
+    // Joints that can be dragged are marked.
+    let width = format!(
+        "parseFloat(getComputedStyle({FRAME}.querySelector('[data-point=\"k\"] .mark')).strokeWidth)"
+    );
+    assert_eq!(shown.page.number(&width), 3.0);
     let from = shown.point("k");
     drag(&mut shown.page, from, (30.0, -20.0));
     shown.page.wait(&format!(
@@ -145,5 +150,24 @@ fn a_pulled_pivot_changes_its_dimension() {
     );
     shown.undo();
     assert_eq!(shown.text(), text);
+    shown.page.assert_quiet();
+}
+
+/// Points that follow from dimensions cannot be moved: the reason and the way are shown.
+#[test]
+fn a_text_without_joints_gets_advice() {
+    let Some(mut shown) = Shown::open() else {
+        return;
+    };
+    let status = "document.getElementById('status').textContent";
+    let pressed = "document.getElementById('shape').getAttribute('aria-pressed') === 'true'";
+    shown.choose("four-bar");
+    shown.page.click("#shape");
+    assert!(shown.page.words(status).contains("`joint name = (x, y)`"));
+    assert!(!shown.page.holds(pressed));
+    shown.choose("needle-drive");
+    shown.page.click("#shape");
+    assert!(shown.page.words(status).contains("in space"));
+    assert!(!shown.page.holds(pressed));
     shown.page.assert_quiet();
 }

@@ -1,10 +1,14 @@
 //! The playground as it is built: values to the last bit, and the page in a real browser, opened
 //! from disk.
 
+mod assist;
 mod built;
 mod dragged;
+mod kept;
 mod node;
 mod page;
+mod phone;
+mod renewed;
 mod shown;
 mod speed;
 mod values;

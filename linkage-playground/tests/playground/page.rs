@@ -54,7 +54,7 @@ impl Shown {
     pub(crate) fn choose(&mut self, name: &str) {
         self.after(|page| {
             page.value(&format!(
-                "(() => {{ const list = document.getElementById('examples'); list.value = '{name}'; list.dispatchEvent(new Event('change')); }})()"
+                "(() => {{ const list = document.getElementById('examples'); list.value = 'example {name}'; list.dispatchEvent(new Event('change')); }})()"
             ))
         });
     }

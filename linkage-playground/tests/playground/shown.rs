@@ -168,10 +168,11 @@ fn addresses_have_the_text() {
 /// differ in the last digits where this machine fuses multiply-adds.
 #[test]
 fn files_are_exported() {
-    const FORMATS: [(&str, &str); 6] = [
+    const FORMATS: [(&str, &str); 7] = [
         ("svg", "</svg>"),
         ("dxf", "EOF"),
         ("csv", ""),
+        ("csv-radians", ""),
         ("c", ""),
         ("js", ""),
         ("page", "</html>"),
@@ -196,6 +197,18 @@ fn files_are_exported() {
             assert_eq!(file["name"], *name);
             let is_code = format == "c" || format == "js";
             assert!(!is_code || file["text"] == *content, "{name}");
+            // Angles are in degrees, as on the page, unless radians are asked for.
+            let has = |unit: &str| {
+                content
+                    .lines()
+                    .next()
+                    .is_some_and(|head| head.contains(unit))
+            };
+            assert!(
+                format != "csv" || has("[deg]") && !has("[rad]"),
+                "{content}"
+            );
+            assert!(format != "csv-radians" || has("[rad]"), "{content}");
         }
     }
     shown.page.assert_quiet();

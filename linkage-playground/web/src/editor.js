@@ -1,33 +1,50 @@
 // The editor of the text, with messages under the words, hover and completion.
 
 import { autocompletion, closeBrackets, closeBracketsKeymap, completionKeymap } from "@codemirror/autocomplete";
-import { defaultKeymap, history, historyKeymap, isolateHistory, redo, undo } from "@codemirror/commands";
+import { defaultKeymap, history, historyField, historyKeymap, isolateHistory, redo, redoDepth, undo, undoDepth } from "@codemirror/commands";
 import { bracketMatching, indentOnInput, indentUnit } from "@codemirror/language";
-import { lintGutter, lintKeymap, setDiagnostics } from "@codemirror/lint";
+import { diagnosticCount, lintGutter, lintKeymap, setDiagnostics } from "@codemirror/lint";
 import { highlightSelectionMatches, search, searchKeymap } from "@codemirror/search";
 import { EditorState, Transaction } from "@codemirror/state";
 import { drawSelection, EditorView, highlightActiveLine, highlightActiveLineGutter, hoverTooltip, keymap, lineNumbers } from "@codemirror/view";
 import { difference } from "./difference.js";
-import { linkage } from "./language.js";
+import { fileField, fileHistory, setFile } from "./file_state.js";
+import { hints } from "./hints.js";
+import { colouredWith } from "./language.js";
+import { signatureWith } from "./signature.js";
 
-// `changed` hears of every change of the text; `hover` and `complete` ask the compiler.
-export function makeEditor(parent, { changed, hover, complete }) {
+// `changed` hears of every change of the text; `assist` asks the compiler; `words` are those of the language.
+export function makeEditor(parent, { changed, assist, words }) {
   const view = new EditorView({ parent, root: parent.getRootNode() });
   const extensions = [
-    lineNumbers(), lintGutter(), highlightActiveLineGutter(), history(), drawSelection(), indentOnInput(), bracketMatching(), closeBrackets(),
-    autocompletion({ override: [complete] }), highlightActiveLine(), highlightSelectionMatches(), search({ top: true }), indentUnit.of("    "),
+    lineNumbers(), lintGutter(), highlightActiveLineGutter(), history(), fileHistory, drawSelection(), indentOnInput(), bracketMatching(), closeBrackets(),
+    autocompletion({ override: [assist.complete] }), highlightActiveLine(), highlightSelectionMatches(), search({ top: true }), indentUnit.of("    "),
     keymap.of([...closeBracketsKeymap, ...defaultKeymap, ...searchKeymap, ...historyKeymap, ...completionKeymap, ...lintKeymap]),
-    hoverTooltip(hover), linkage, theme, EditorView.lineWrapping,
+    hoverTooltip(assist.hover), signatureWith(assist.signature), hints, colouredWith(words), theme, EditorView.lineWrapping,
     EditorView.contentAttributes.of({ "aria-label": "Text of the mechanism", spellcheck: "false", autocapitalize: "off" }),
     EditorView.updateListener.of((update) => update.docChanged && changed(update)),
   ];
-  const open = (text) => view.setState(EditorState.create({ doc: text, extensions }));
-  open("");
+  const stored = { history: historyField, file: fileField };
   return {
     view,
-    open,
+    // The first text of the page: there is nothing to undo before it.
+    begin: (text, file) => view.setState(EditorState.create({ doc: text, extensions: [extensions, fileField.init(() => file)] })),
+    // The state of an earlier page with its steps of undo.
+    resume: (json) => view.setState(EditorState.fromJSON(json, { extensions }, stored)),
+    state: () => view.state.toJSON(stored),
+    // Another text in the place of this one, as one step of undo.
+    open: (text, file) => {
+      const changes = { from: 0, to: view.state.doc.length, insert: text };
+      view.dispatch({ changes, effects: setFile.of(file), selection: { anchor: 0 }, scrollIntoView: true, annotations: isolateHistory.of("full"), userEvent: "input.open" });
+    },
+    file: () => view.state.field(fileField),
     text: () => view.state.doc.toString(),
-    tell: (messages) => view.dispatch(setDiagnostics(view.state, messages.map((message) => diagnostic(view.state, message)))),
+    // The numbers of steps that can be undone and done again.
+    steps: () => ({ undo: undoDepth(view.state), redo: redoDepth(view.state) }),
+    tell: (messages) => {
+      // Each change of the view takes its time.
+      if (messages.length > 0 || diagnosticCount(view.state) > 0) view.dispatch(setDiagnostics(view.state, messages.map((message) => diagnostic(view.state, message))));
+    },
     replace: (text) => {
       const changes = difference(view.state.doc.toString(), text);
       if (changes !== null) view.dispatch({ changes, annotations: isolateHistory.of("full"), userEvent: "input.format" });
@@ -71,5 +88,7 @@ const theme = EditorView.theme({
   ".hover p, .hover pre": { margin: "2px 0" },
   ".hover hr": { margin: "4px 0", border: "solid var(--line)", borderWidth: "1px 0 0" },
   ".hover code, .hover pre": { fontFamily: "ui-monospace, 'Cascadia Mono', 'DejaVu Sans Mono', Menlo, monospace", fontSize: "13px" },
+  ".declared, .declared span": { color: "var(--ink) !important", fontWeight: "400 !important" },
+  ".hint": { color: "var(--faint)", fontSize: "12px", fontStyle: "italic" },
   ".cm-matchingBracket": { backgroundColor: "var(--selection) !important" },
 });

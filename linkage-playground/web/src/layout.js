@@ -5,6 +5,8 @@ import { byId } from "./dom.js";
 const NARROWEST = 20;
 const WIDEST = 75;
 
+const TABS = ["text", "view"];
+
 export function startTabs() {
   for (const [name, other] of [["text", "view"], ["view", "text"]]) {
     const tab = byId(`${name}-tab`);
@@ -15,15 +17,26 @@ export function startTabs() {
       byId(`${other}-tab`).focus();
     });
   }
+  const narrow = matchMedia("(max-width: 760px)");
+  narrow.addEventListener("change", () => nameParts(narrow.matches));
+  nameParts(narrow.matches);
   showTab("text");
+}
+
+// Both parts are regions with names; on a phone they are panels of their tabs.
+function nameParts(areTabs) {
+  for (const name of TABS) {
+    if (areTabs) byId(name).setAttribute("role", "tabpanel");
+    else byId(name).removeAttribute("role");
+  }
 }
 
 export function showTab(name) {
   document.querySelector("main").dataset.tab = name;
-  for (const own of ["text", "view"]) {
-    const tab = byId(`${own}-tab`);
-    tab.setAttribute("aria-selected", String(own === name));
-    tab.tabIndex = own === name ? 0 : -1;
+  for (const other of TABS) {
+    const tab = byId(`${other}-tab`);
+    tab.setAttribute("aria-selected", String(other === name));
+    tab.tabIndex = other === name ? 0 : -1;
   }
 }
 
@@ -36,6 +49,8 @@ export function startBorder() {
     main.style.setProperty("--text", `${share}%`);
     border.setAttribute("aria-valuenow", String(Math.round(share)));
   };
+  border.setAttribute("aria-valuemin", String(NARROWEST));
+  border.setAttribute("aria-valuemax", String(WIDEST));
   border.addEventListener("pointerdown", (event) => border.setPointerCapture(event.pointerId));
   border.addEventListener("pointermove", (event) => event.buttons & 1 && put((100 * event.clientX) / main.clientWidth));
   border.addEventListener("keydown", ({ key }) => put(share + ({ ArrowLeft: -2, ArrowRight: 2 }[key] ?? 0)));

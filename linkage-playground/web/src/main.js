@@ -1,44 +1,54 @@
 // The playground: text, messages and mechanism, and the buttons above them.
 
 import { Analyses } from "./analyses.js";
-import { completeWith, hoverWith } from "./assist.js";
+import { Assist } from "./assist.js";
+import { showSteps, startButtons } from "./buttons.js";
 import { format, offerChanges } from "./changes.js";
 import { Compiler, unpacked } from "./compiler.js";
 import { byId, element } from "./dom.js";
 import { TextDrag } from "./drag.js";
 import { makeEditor } from "./editor.js";
-import { openFile, saveFile } from "./files.js";
+import { read, saveFile, written } from "./files.js";
+import { showHints } from "./hints.js";
+import { Keeping } from "./keeping.js";
 import { showTab, startBorder, startTabs, startTheme } from "./layout.js";
 import { showMessages } from "./messages.js";
 import { Shaping } from "./shaping.js";
-import { fragmentOf, textOf } from "./share.js";
+import { fragmentOf } from "./share.js";
+import { say, sayCurrent, sayMessages, sayStale } from "./status.js";
 import { View } from "./view.js";
 
 const parts = { frame: FRAME, worker: WORKER };
 
-const file = { name: "mechanism.mech" };
 // The pages of the last text without a mistake, and the name of the one that is shown.
 const shown = { pages: [], name: null };
-
-function say(text) {
-  byId("status").textContent = text;
-}
 
 async function start() {
   const base64 = byId("module").textContent.trim();
   const framed = View.ready(byId("frame"), parts.frame);
   const compiler = new Compiler(parts.worker, await unpacked(base64));
+  const [examples, words] = (await Promise.all([compiler.ask({ do: "examples" }), compiler.ask({ do: "words" })])).map(JSON.parse);
   await framed;
   const root = byId("editor").attachShadow({ mode: "open" });
   const text = () => editor.text();
-  const editor = makeEditor(root, { changed, hover: hoverWith(compiler, text), complete: completeWith(compiler, text) });
+  const assist = new Assist(compiler, text);
+  const editor = makeEditor(root, { changed, assist, words });
   const drag = new TextDrag(editor);
   const analyses = new Analyses(compiler, { text, show, waiting: (long) => (byId("busy").hidden = !long) });
   // Changes of the text that are shown already are not analysed.
   let quiet = false;
 
   function changed() {
-    if (!quiet) analyses.want();
+    if (quiet) return;
+    say("");
+    noteChange();
+    analyses.want();
+  }
+
+  // The text is kept, and buttons show what can be undone.
+  function noteChange() {
+    keeping.changed();
+    showSteps(editor.steps());
   }
 
   function quietly(work) {
@@ -53,6 +63,7 @@ async function start() {
   function endDrag() {
     if (!drag.isRunning) return;
     quietly(() => drag.end());
+    noteChange();
     analyses.want();
   }
 
@@ -68,22 +79,34 @@ async function start() {
   const shaping = new Shaping(view, {
     follow: (source, edits) => drag.follow(source, edits),
     done: endDrag,
+    refused: say,
   });
+
+  function go(place) {
+    showTab("text");
+    editor.go(place);
+  }
 
   function show(source, { messages, pages }) {
     editor.tell(messages);
-    showMessages(messages, source, editor.go);
-    const isFaulty = messages.some(({ severity }) => severity === "error");
-    say(isFaulty ? `${messages.length} ${messages.length === 1 ? "message" : "messages"}` : "");
-    if (pages.length === 0) view.outdated();
+    showMessages(messages, source, go);
+    sayMessages(messages);
+    assist.hintsLater((found) => showHints(editor.view, found));
+    if (pages.length === 0) outdated(messages, source);
     else showSafely(pages);
     document.body.dataset.shown = String(Number(document.body.dataset.shown ?? 0) + 1);
+  }
+
+  function outdated(messages, source) {
+    view.outdated();
+    sayStale(messages, source, view.handle !== null, go);
   }
 
   // A page that fails leaves the text alive.
   function showSafely(pages) {
     try {
       showPages(pages);
+      sayCurrent();
     } catch (error) {
       view.outdated();
       say(`The mechanism cannot be shown: ${error.message}`);
@@ -94,10 +117,15 @@ async function start() {
     shown.pages = pages;
     const names = pages.map(({ name }) => name);
     if (!names.includes(shown.name)) shown.name = names.at(-1);
-    byId("which").hidden = names.length < 2;
-    byId("mechanisms").replaceChildren(...names.map((name) => element("option", { value: name }, name)));
-    byId("mechanisms").value = shown.name;
+    listMechanisms(names);
     showPage();
+  }
+
+  function listMechanisms(names) {
+    const list = byId("mechanisms");
+    byId("which").hidden = names.length < 2;
+    if (names.join() !== [...list.options].map(({ value }) => value).join()) list.replaceChildren(...names.map((name) => element("option", { value: name }, name)));
+    list.value = shown.name;
   }
 
   function showPage() {
@@ -105,12 +133,12 @@ async function start() {
     shaping.mark();
   }
 
-  function open(name, text) {
-    file.name = name;
+  // After the editor has another text. `said` is a remark, null if it has not.
+  function opened(said) {
+    if (said === null) return;
     view.forget();
-    editor.open(text);
-    analyses.want();
     showTab("text");
+    say(said);
   }
 
   async function exported(format) {
@@ -136,50 +164,24 @@ async function start() {
     say(copied ? "The address is copied. It has the text in it." : "The address of this page has the text in it.");
   }
 
-  function startButtons(examples) {
-    byId("examples").append(element("option", { value: "" }, "choose"), ...examples.map(({ name, about }) => element("option", { value: name }, `${name}: ${about}`)));
-    byId("examples").addEventListener("change", ({ target }) => {
-      const example = examples.find(({ name }) => name === target.value);
-      if (example) open(`${example.name}.mech`, example.text);
-      target.value = "";
-    });
-    const openOwn = async () => {
-      const { name, text } = await openFile();
-      open(name, text);
-    };
-    const save = () => saveFile(file.name, text());
-    byId("open").addEventListener("click", openOwn);
-    byId("save").addEventListener("click", save);
-    byId("share").addEventListener("click", share);
-    byId("export").addEventListener("change", async ({ target }) => {
-      const format = target.value;
-      target.value = "";
-      await exportAs(format);
-    });
-    byId("shape").addEventListener("click", ({ target }) => {
-      shaping.turn(!shaping.isOn);
-      target.setAttribute("aria-pressed", String(shaping.isOn));
-      say(shaping.isOn ? "Drag joints that the text has as `joint name = (x, y)`, or move them by arrow keys." : "");
-      if (shaping.isOn) showTab("view");
-    });
-    byId("mechanisms").addEventListener("change", ({ target }) => {
-      shown.name = target.value;
-      showPage();
-    });
-    byId("stop").addEventListener("click", () => {
-      compiler.stop();
-      say("Stopped. The next key starts the compiler again.");
-    });
-    const offer = () => offerChanges(compiler, editor, say);
-    byId("format").addEventListener("click", () => format(compiler, editor, say));
-    byId("offer").addEventListener("click", offer);
-    const keys = { s: save, o: openOwn, ".": offer };
-    document.addEventListener("keydown", (event) => {
-      const own = (event.ctrlKey || event.metaKey) && !event.altKey && !event.shiftKey ? keys[event.key] : undefined;
-      if (own === undefined) return;
-      event.preventDefault();
-      own();
-    });
+  function openFile({ name, text, form, isMixed }) {
+    if (text === null) return say(`${name} is not a text in UTF-8, and is not opened.`);
+    const mixed = isMixed ? ` It has several ends of lines: Save writes ${form.end === "\n" ? "LF" : "CR LF"}.` : "";
+    opened(keeping.open({ name, form }, text) + mixed);
+  }
+
+  function save() {
+    const { name, form } = editor.file();
+    saveFile(name, written(text(), form));
+  }
+
+  function shape() {
+    const refusal = shaping.isOn ? null : shaping.refusal();
+    if (refusal !== null) return say(refusal);
+    shaping.turn(!shaping.isOn);
+    byId("shape").setAttribute("aria-pressed", String(shaping.isOn));
+    say(shaping.isOn ? "Drag the marked joints, or move them by arrow keys: their coordinates in the text change." : "");
+    if (shaping.isOn) showTab("view");
   }
 
   // Steps of the page in the frame are those of the text.
@@ -192,22 +194,38 @@ async function start() {
     if (key === "y" || event.shiftKey) editor.redo();
     else editor.undo();
   }, { capture: true });
-  addEventListener("hashchange", async () => {
-    const text = await textOf(location.hash);
-    if (text !== null && text !== editor.text()) open(file.name, text);
-  });
 
   startTabs();
   startBorder();
   startTheme((theme) => view.setTheme(theme));
   shaping.start();
-  const examples = JSON.parse(await compiler.ask({ do: "examples" }));
-  startButtons(examples);
-  const shared = await textOf(location.hash);
-  open(file.name, shared ?? examples[0].text);
-  if (location.hash.includes("text=") && shared === null) say("The text in the address is damaged.");
+  startButtons({
+    choose: (value) => opened(keeping.choose(value)),
+    export: exportAs,
+    select: (name) => {
+      shown.name = name;
+      showPage();
+    },
+    open: openFile,
+    undo: editor.undo,
+    redo: editor.redo,
+    save,
+    share,
+    shape,
+    format: () => format(compiler, editor, say),
+    offer: () => offerChanges(compiler, editor, say),
+    stop: () => {
+      compiler.stop();
+      say("Stopped. The next key starts the compiler again.");
+    },
+  });
+  const keeping = new Keeping(editor, examples);
+  addEventListener("hashchange", async () => opened(await keeping.openAddress()));
+  say(await keeping.begin());
+  showSteps(editor.steps());
+  analyses.want();
   // For whoever measures or tests it.
-  Object.assign(globalThis, { playground: { editor, view, analyses, compiler } });
+  Object.assign(globalThis, { playground: { editor, view, analyses, compiler, openBytes: (name, bytes) => openFile({ name, ...read(bytes) }) } });
 }
 
 start();

@@ -2,10 +2,13 @@
 
 import { byId, element } from "./dom.js";
 
+export function lineOf(text, place) {
+  return text.slice(0, place).split("\n").length;
+}
+
 export function showMessages(messages, text, go) {
   const rows = messages.map(({ from, severity, text: words }) => {
-    const line = text.slice(0, from).split("\n").length;
-    const button = element("button", { type: "button" }, element("small", {}, `line ${line} `), words);
+    const button = element("button", { type: "button" }, element("small", {}, `line ${lineOf(text, from)} `), words);
     button.addEventListener("click", () => go(from));
     return element("li", { "data-severity": severity }, button);
   });

@@ -6,14 +6,16 @@ export class Shaping {
   #view;
   #follow;
   #done;
+  #refused;
   #held = null;
   isOn = false;
 
-  // `follow` takes a text and its edits while a joint is dragged, `done` is called at the end.
-  constructor(view, { follow, done }) {
+  // `follow` takes a text and its edits while a joint is dragged, `done` is called at the end, `refused` takes the reason why a point stays.
+  constructor(view, { follow, done, refused }) {
     this.#view = view;
     this.#follow = follow;
     this.#done = done;
+    this.#refused = refused;
   }
 
   // The frame's document keeps its listeners while reports change in it.
@@ -29,6 +31,15 @@ export class Shaping {
 
   get isHeld() {
     return this.#held !== null;
+  }
+
+  // The reason why no joint can be dragged, with advice; null if there is one.
+  refusal() {
+    const { handle } = this.#view;
+    if (handle === null) return "There is no mechanism to change yet.";
+    if (!handle.isPlane) return "Joints in space cannot be dragged on a screen: change their coordinates in the text.";
+    if (drawnJoints(handle.source).size > 0) return null;
+    return "This text has no `joint name = (x, y)`: its points come from dimensions. Pull a pivot or a bar of the drawing: its dimension in the text changes.";
   }
 
   turn(on) {
@@ -53,10 +64,15 @@ export class Shaping {
     return joint === undefined ? null : { joint, source: handle.source, unit: handle.unit, pixel: handle.pixel() };
   }
 
+  #whyNot(name) {
+    const joints = [...drawnJoints(this.#view.handle?.source ?? "").keys()];
+    return `${name} is not drawn as a joint with two numbers. Joints that can be dragged: ${joints.join(", ")}.`;
+  }
+
   #press(event) {
     const point = event.target.closest?.(".point");
     const held = event.button === 0 && point ? this.#grasp(point.dataset.point) : null;
-    if (held === null) return;
+    if (held === null) return this.isOn && point && this.#refused(this.#whyNot(point.dataset.point));
     event.preventDefault();
     event.stopPropagation();
     const from = this.#view.handle.placeUnder(event);

@@ -30,6 +30,14 @@ export class View {
 
   // Shows a report. `frozen` holds the picture's size and position, while a joint is dragged.
   show({ report, programs }, frozen = false) {
+    const all = [JSON.parse(programs)];
+    if (!this.#handle?.renew(report, all, frozen)) this.#start(report, all, frozen);
+    this.document.body.classList.remove("stale", "empty");
+    return this.#handle;
+  }
+
+  // Makes the elements of a report.
+  #start(report, programs, frozen) {
     const { contentWindow: page, contentDocument: document } = this.#frame;
     const hasFocus = this.#frame.ownerDocument.activeElement === this.#frame;
     const point = hasFocus ? document.activeElement?.dataset.point : undefined;
@@ -40,16 +48,16 @@ export class View {
     this.#handle = null;
     document.getElementById("report").textContent = report;
     const before = this.#before && { ...this.#before, ...(frozen ? { playing: false } : { box: null }) };
-    this.#handle = page.startPage({ programs: [JSON.parse(programs)], before, ...this.#host });
-    document.body.classList.remove("stale");
+    this.#handle = page.startPage({ programs, before, ...this.#host });
     // A reader who moves a joint by keys goes on with the same joint.
     if (point !== undefined) document.querySelector(`[data-point="${CSS.escape(point)}"]`)?.focus({ preventScroll: true });
-    return this.#handle;
   }
 
   // What is shown is older than the text.
   outdated() {
-    this.document.body?.classList.add("stale");
+    const { classList } = this.document.body;
+    classList.add("stale");
+    classList.toggle("empty", this.#handle === null);
   }
 
   // The next report has nothing to do with this one.

@@ -1,9 +1,8 @@
 // The report that the page shows, and its columns under one roof.
 
-const source = byId("report").textContent.trim();
-const report = JSON.parse(source, (_, value) => (value?.f64?.length > 0 ? unpacked(value.f64) : value));
-resolveReferences();
-if (report.live) ownNumbers();
+let source = byId("report").textContent.trim();
+const report = reportFrom(source);
+if (report.live) ownNumbers(report);
 const input = report.input;
 const rowCount = input.values.length;
 
@@ -13,15 +12,26 @@ const before = host?.before?.title === report.title ? host.before : null;
 // Every column of every table, and the true velocities and accelerations beside them.
 const columns = collectColumns();
 
+// A report with its numbers where they are used. Equal columns are one list.
+function reportFrom(text) {
+  const own = JSON.parse(text, (_, value) => (value?.f64?.length > 0 ? unpacked(value.f64) : value));
+  resolveReferences(own);
+  return own;
+}
+
 // One number for all rows, or the bytes of all, as little-endian processors have them.
 function unpacked(packed) {
   if (Array.isArray(packed)) return Array(packed[1]).fill(packed[0]);
-  const letters = atob(packed);
-  const bytes = new Uint8Array(letters.length);
-  for (let k = 0; k < letters.length; k += 1) bytes[k] = letters.charCodeAt(k);
-  const numbers = [...new Float64Array(bytes.buffer)];
-  for (let k = 0; k < numbers.length; k += 1) if (Number.isNaN(numbers[k])) numbers[k] = null;
-  return numbers;
+  return Array.from(new Float64Array(bytesOf(packed).buffer), (x) => (x === x ? x : null));
+}
+
+// New browsers have a function for this.
+function bytesOf(letters) {
+  if (Uint8Array.fromBase64) return Uint8Array.fromBase64(letters);
+  const own = atob(letters);
+  const bytes = new Uint8Array(own.length);
+  for (let k = 0; k < own.length; k += 1) bytes[k] = own.charCodeAt(k);
+  return bytes;
 }
 
 // The data with lists of decimals, as the file beside the page has them.
@@ -36,17 +46,14 @@ function decimalsOf(number) {
 }
 
 // Numbers stand in the data once; elsewhere is said in which column.
-function numbersOf(series) {
-  return Array.isArray(series) ? series : report.tables[series.table].columns[series.column].values;
-}
-
-function resolveReferences() {
-  for (const { columns } of report.tables) {
+function resolveReferences({ tables, true: rates, bands, picture }) {
+  const numbersOf = (series) => (Array.isArray(series) ? series : tables[series.table].columns[series.column].values);
+  for (const { columns } of tables) {
     for (const column of columns) column.values = numbersOf(column.values);
   }
-  for (const rate of report.true ?? []) rate.values = numbersOf(rate.values);
-  for (const band of report.bands ?? []) band.half = numbersOf(band.half);
-  for (const item of [...(report.picture?.points ?? []), ...(report.picture?.directions ?? [])]) {
+  for (const rate of rates ?? []) rate.values = numbersOf(rate.values);
+  for (const band of bands ?? []) band.half = numbersOf(band.half);
+  for (const item of [...(picture?.points ?? []), ...(picture?.directions ?? [])]) {
     item.at = item.at.map(numbersOf);
   }
 }

@@ -83,12 +83,17 @@ function layDrawing({ width, height }) {
 function redraw() {
   drawTraces();
   // Names keep clear of all the rest.
-  drawMarks();
+  showScale();
   placeParts(position.row);
-  const origin = project(Array(picture.dimension).fill(0));
-  Object.assign(byId("drawing").dataset, { scale: cameraScale(), originX: origin[0], originY: origin[1] });
   // When all is in sight, a finger on the drawing scrolls the page.
   byId("drawing").style.touchAction = isSpatial() || camera.zoom !== 1 ? "none" : "pan-y";
+}
+
+// The marks of the scale, and the scale in the data of the drawing.
+function showScale() {
+  drawMarks();
+  const origin = project(Array(picture.dimension).fill(0));
+  Object.assign(byId("drawing").dataset, { scale: cameraScale(), originX: origin[0], originY: origin[1] });
 }
 
 function placeParts(row) {

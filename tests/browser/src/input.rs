@@ -23,6 +23,8 @@ pub enum Key {
     Enter,
     /// To leave.
     Escape,
+    /// To the next element.
+    Tab,
 }
 
 impl Key {
@@ -37,6 +39,7 @@ impl Key {
             Self::End => ("End", "End", 35),
             Self::Enter => ("Enter", "Enter", 13),
             Self::Escape => ("Escape", "Escape", 27),
+            Self::Tab => ("Tab", "Tab", 9),
         }
     }
 }

@@ -33,10 +33,10 @@ function startLive() {
 
 function makeControls() {
   const rows = [];
-  for (const { name, unit, value } of report.dimensions) rows.push(controlRow(name, unit, dimensionRange(unit, value), (to, stop) => change(new Map([[name, to]]), stop)));
-  for (const [name, value] of live.given) {
+  for (const { name, unit } of report.dimensions) rows.push(controlRow(name, unit, (to, stop) => change(new Map([[name, to]]), stop)));
+  for (const name of live.given.keys()) {
     const own = argumentOf(name);
-    rows.push(controlRow(name, own.unit, own.range ?? dimensionRange(own.unit, value), (to) => give(name, to)));
+    rows.push(controlRow(name, own.unit, (to) => give(name, to)));
   }
   const button = (id, word, title, click) => {
     const own = element("button", { type: "button", id, title }, word);
@@ -58,6 +58,11 @@ function makeControls() {
   byId("stage").append(box);
 }
 
+// The range of a slider: about the value in the report, or that of an argument.
+function rangeOf(name, unit) {
+  return (live.stands.has(name) && argumentOf(name).range) || dimensionRange(unit, valueInReport(name));
+}
+
 function dimensionRange(unit, value) {
   const half = unit === "rad" ? REACH.angle : REACH.part * (Math.abs(value) || largestDimension(unit));
   return [value - half, value + half];
@@ -76,9 +81,9 @@ function argumentOf(name) {
 }
 
 // Angles are shown in degrees. `put` takes a value, and gives the error if the mechanism cannot be assembled with it.
-function controlRow(name, unit, [low, high], put) {
+function controlRow(name, unit, put) {
   const shown = (number) => rounded(plotValue(number, unit), 12);
-  const slider = element("input", { type: "range", min: shown(low), max: shown(high), step: "any", "data-slides": name, "aria-label": name });
+  const slider = element("input", { type: "range", step: "any", "data-slides": name, "aria-label": name });
   const field = element("input", { type: "text", autocomplete: "off", spellcheck: "false", "data-dimension": name, "aria-label": `${name}${unit ? ` in ${plotUnit(unit)}` : ""}` });
   const row = { name, unit, slider, field, shown, put, refused: null };
   slider.addEventListener("pointermove", ({ shiftKey }) => (row.exact = shiftKey));
@@ -87,7 +92,13 @@ function controlRow(name, unit, [low, high], put) {
   field.addEventListener("change", () => takeTyped(row));
   field.addEventListener("keydown", (event) => onFieldKey(event, row));
   controls.rows.set(name, row);
+  centre(row);
   return element("label", { class: "dimension" }, element("span", { class: "name" }, ...breakable(name)), slider, field, element("small", {}, plotUnit(unit), ...[runButton(row)].filter((own) => own !== null)));
+}
+
+function centre({ name, unit, slider, shown }) {
+  const [low, high] = rangeOf(name, unit).map(shown);
+  set(slider, { min: low, max: high });
 }
 
 // A long name goes on after a point or a low line.

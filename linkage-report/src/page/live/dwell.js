@@ -9,6 +9,7 @@ const SLACK = 16 * Number.EPSILON;
 const otherDwells = new Set();
 
 function startDwells() {
+  otherDwells.clear();
   for (const { quantity, value } of live.summary.filter(({ what }) => what === "dwell, from")) {
     const same = live.summary.filter((row) => row.quantity === quantity && row.what === "dwell, from");
     const found = dwellNow(quantity);

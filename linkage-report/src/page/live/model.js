@@ -2,35 +2,44 @@
 // where everything else reads them.
 
 const live = {
-  // Dimensions by name: of the report, and as they are now.
-  declared: new Map(report.dimensions.map(({ name, value }) => [name, value])),
-  dimensions: new Map(report.dimensions.map(({ name, value }) => [name, value])),
-  // Arguments beside the input, by name.
-  given: new Map(Object.entries(report.live.given)),
-  // Modes of the first programs: the current ones, and those of the report.
-  modes: report.live.modes,
-  firstModes: report.live.modes,
-  // 0 for the report's solution of groups without a closed form; another number for each choice of another one.
-  choice: 0,
+  ...stateOf(report, allNumbers(report).map((numbers) => [...numbers])),
   // An assembly for each of the programs: as they are now, and of the report.
   assemblies: [],
   firstAssemblies: [],
   tables: [],
-  // Figures, errors, gaps with their reason, change points, and numbers of the report.
-  summary: report.summary,
-  accuracy: report.accuracy,
-  gaps: report.gaps,
+  // Figures that the page has found of the report.
   reason: null,
   changePoints: null,
-  numbers: new Map(allNumbers().map((numbers) => [numbers, [...numbers]])),
   listeners: [],
   // Functions that begin with the numbers of the report, of parts that not every page has.
   starts: [],
 };
 
-function allNumbers() {
-  const rows = [...report.tables.flatMap((table) => table.columns), ...(report.true ?? [])].map((column) => column.values);
-  return [...rows, ...(report.bands ?? []).map((band) => band.half)];
+// The state of a page that shows a report as it is. `numbers` are those of the report, for the time when they are changed.
+function stateOf(own, numbers) {
+  return {
+    // Dimensions by name: of the report, and as they are now.
+    declared: new Map(own.dimensions.map(({ name, value }) => [name, value])),
+    dimensions: new Map(own.dimensions.map(({ name, value }) => [name, value])),
+    // Arguments beside the input, by name: as they are now, and of the report.
+    given: new Map(Object.entries(own.live.given)),
+    stands: new Map(Object.entries(own.live.given)),
+    // Modes of the first programs: the current ones, and those of the report.
+    modes: own.live.modes,
+    firstModes: own.live.modes,
+    // 0 for the report's solution of groups without a closed form; another number for each choice of another one.
+    choice: 0,
+    // Figures, errors, gaps, and numbers of the report.
+    summary: own.summary,
+    accuracy: own.accuracy,
+    gaps: own.gaps,
+    numbers: new Map(allNumbers(own).map((list, k) => [list, numbers[k]])),
+  };
+}
+
+function allNumbers({ tables, true: rates, bands }) {
+  const rows = [...tables.flatMap((table) => table.columns), ...(rates ?? [])].map((column) => column.values);
+  return [...rows, ...(bands ?? []).map((band) => band.half)];
 }
 
 function onChange(listener) {
@@ -62,18 +71,17 @@ function isChanged() {
 
 // Numbers are changed in place: each column needs its own. The picture shows the columns of its
 // table.
-function ownNumbers() {
-  for (const { columns } of report.tables) {
+function ownNumbers({ tables, true: rates, bands, picture: shown, live: { picture: place } }) {
+  for (const { columns } of tables) {
     for (const column of columns) column.values = [...column.values];
   }
-  for (const rate of report.true ?? []) rate.values = [...rate.values];
-  for (const band of report.bands ?? []) band.half = [...band.half];
-  if (!report.picture) return;
-  const { table, first } = report.live.picture;
-  const shown = report.tables[table].columns.slice(first);
-  const vectors = [...report.picture.points, ...report.picture.directions];
+  for (const rate of rates ?? []) rate.values = [...rate.values];
+  for (const band of bands ?? []) band.half = [...band.half];
+  if (!shown) return;
+  const all = tables[place.table].columns.slice(place.first);
+  const vectors = [...shown.points, ...shown.directions];
   vectors.forEach((vector, k) => {
-    vector.at = vector.at.map((_, i) => shown[k * report.picture.dimension + i].values);
+    vector.at = vector.at.map((_, i) => all[k * shown.dimension + i].values);
   });
 }
 
@@ -103,9 +111,14 @@ function valuesOf(unit, dimensions) {
 
 // Assemblies with these dimensions; throws the errors of the engine.
 function assembledWith(dimensions, before) {
-  return engine.programs.map((unit, number) => {
+  return assembledOf(engine.programs, dimensions, live.modes, before);
+}
+
+// The modes are those of the first programs.
+function assembledOf(units, dimensions, firstModes, before) {
+  return units.map((unit, number) => {
     const values = valuesOf(unit, dimensions);
-    const modes = number === 0 ? live.modes : unit.modes;
+    const modes = number === 0 ? firstModes : unit.modes;
     return engine.assembled(unit, values, modes, before[number] ?? null);
   });
 }
@@ -212,14 +225,23 @@ function fillTable({ table, number, fn, names }) {
 
 // The mechanism as the report has it, until something is changed.
 function startModel() {
-  if (live.modes.length !== engine.programs[0].modes.length) live.modes = live.firstModes = [...engine.programs[0].modes];
-  live.stands = new Map(live.given);
-  live.firstAssemblies = live.assemblies = assembledWith(live.dimensions, []);
+  live.modes = live.firstModes = modesOf(report, engine.programs);
+  beginWithReport(assembledWith(live.dimensions, []));
+  for (const start of live.starts) start();
+  startSaving();
+  sayGaps();
+}
+
+// Modes of the first programs in a report; those of the declaration if it has others.
+function modesOf({ live: { modes } }, [unit]) {
+  return modes.length === unit.modes.length ? modes : [...unit.modes];
+}
+
+// The numbers of the report, with its assemblies.
+function beginWithReport(assemblies) {
+  live.firstAssemblies = live.assemblies = assemblies;
   live.tables = report.tables.map(bind);
   report.reason = live.reason = reasonOfGap();
   report.changePoints = live.changePoints = changePointWords();
   startDwells();
-  for (const start of live.starts) start();
-  startSaving();
-  sayGaps();
 }

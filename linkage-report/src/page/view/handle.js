@@ -3,8 +3,9 @@
 function pageHandle() {
   return {
     title: report.title,
-    source: report.live.source,
+    get source() { return report.live.source; },
     state: pageState,
+    renew: renewed,
     edits: textEdits,
     isPlane: picture?.dimension === 2,
     unit: picture?.unit ?? "",
