@@ -33,6 +33,7 @@
 mod arithmetic;
 mod assemble;
 mod c_names;
+mod column_sweeps;
 mod comment;
 mod coupled;
 mod evaluator;
@@ -52,6 +53,7 @@ use linkage_compiler::ir::{CompiledMechanism, Coupled};
 use linkage_export::print_all;
 pub use linkage_export::{Refused, Renamed};
 
+pub use column_sweeps::{ColumnSweeps, column_sweeps};
 pub use real::Real;
 
 /// A mechanism as C.

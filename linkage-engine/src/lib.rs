@@ -18,6 +18,7 @@
 //! | compute one position | [`Assembly::call`], [`Assembly::results`] by names |
 //! | compute many positions | [`Assembly::sweep`], [`Assembly::sweep_parallel_into`] |
 //! | compute many mechanisms | [`Assembly::sweep_sets`] |
+//! | compute parts of a sweep | [`Assembly::sweep_in_parts`], [`Assembly::sweep_sets_in_parts`] |
 //! | see effects of tolerances | [`Mechanism::sensitive_quantities`] |
 //! | name, unit and meaning of results | [`Mechanism::headings`]; [`Columns`] is a [`Table`] |
 //!
@@ -58,4 +59,5 @@ pub use messages::{rendered, rendered_warning};
 pub use normal::normal_form;
 pub use results::Results;
 pub use source::{MechanismCall, Source};
+pub use sweep::parts::Sweep;
 pub use tolerance_effects::{SensitiveQuantity, ToleranceEffects};

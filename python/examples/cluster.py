@@ -1,0 +1,144 @@
+"""Beyond one machine: Dask computes mechanisms within their tolerances, and a search for designs.
+
+    python cluster.py                              # 1e8 mechanisms and 1e7 designs on this machine
+    python cluster.py --count 1e6 --designs 1e5    # in small
+    python cluster.py --scheduler tcp://head:8786  # on a cluster whose workers have the package
+
+Mechanism number `k` has the random numbers of counter `k`, whoever computes it. Figures of blocks of
+a fixed size are added in the order of the blocks. So the results are equal to the last bit for
+every number of workers and partitions, and after a worker was lost.
+"""
+
+import argparse
+
+import linkage
+import numpy as np
+from dask.distributed import Client, LocalCluster, as_completed
+
+TEXT = """
+pub struct FourBar {
+    unit mm;
+    param crank = 50mm +- 12um;
+    param coupler = 120mm +- 20um;
+    param rocker = 100mm +- 20um;
+    param frame = 140mm +- 20um;
+    input phi = 30deg in 0deg..360deg;
+    unknown theta = 40deg;
+    unknown psi = 80deg;
+    let tracer = polar(crank, phi) + polar(70mm, theta);
+    loop polar(crank, phi) + polar(coupler, theta) = (frame, 0) + polar(rocker, psi);
+}
+impl FourBar { pub fn path(phi) -> Path { tracer } }
+"""
+
+#: Mechanisms of a block, the smallest part of the work. It determines how sums are rounded.
+BLOCK = 100_000
+
+#: The position of the crank.
+PHI = 1.2
+
+
+def uniform(seed: int, first: int, count: int, columns: int) -> np.ndarray:
+    """Numbers from 0 to 1 of the mechanisms `first` to `first + count`: a row for each.
+
+    Philox makes 4 numbers from a counter; a mechanism has as many counters as its columns need.
+    """
+    counters = -(-columns // 4)
+    generator = np.random.Generator(np.random.Philox(key=seed, counter=first * counters))
+    return generator.random((count, 4 * counters))[:, :columns]
+
+
+def tolerance_blocks(m, seed: int, first: int, last: int) -> list[tuple]:
+    """Sums of blocks: the count, the sums of both coordinates' deviations and of their squares."""
+    linkage.set_threads(1)
+    parameters = m.mechanism.parameters.values()
+    nominal = np.array([one.nominal for one in parameters])
+    tolerance = np.array([one.tolerance for one in parameters])
+    middle = m.path(PHI).tracer
+    found = []
+    for start in range(first, last, BLOCK):
+        count = min(BLOCK, last - start)
+        drawn = uniform(seed, start, count, len(nominal))
+        sets = nominal + tolerance * (2 * drawn - 1)
+        names = m.mechanism.parameters
+        off = m.path(PHI, **dict(zip(names, sets.T))).tracer - middle
+        found.append((start, count, off.sum(axis=0), (off * off).sum(axis=0), np.abs(off).max(axis=0)))
+    return found
+
+
+def design_blocks(m, seed: int, first: int, last: int, wanted: np.ndarray) -> list[tuple]:
+    """The best design of each block: the cost, its number, its dimensions."""
+    linkage.set_threads(1)
+    low, high = np.array([30.0, 90.0, 80.0, 120.0]), np.array([60.0, 150.0, 130.0, 160.0])
+    phi = np.linspace(0.3, 2.0, len(wanted))[:, None]
+    found = []
+    for start in range(first, last, BLOCK):
+        count = min(BLOCK, last - start)
+        sets = low + (high - low) * uniform(seed, start, count, 4)
+        off = m.path(phi, **dict(zip(m.mechanism.parameters, sets.T))).tracer - wanted[:, None]
+        cost = (off * off).sum(axis=(0, 2))
+        cost[np.isnan(cost)] = np.inf
+        best = int(np.argmin(cost))
+        found.append((start, float(cost[best]), start + best, tuple(sets[best])))
+    return found
+
+
+def run(client, work, m, seed: int, count: int, partitions: int, *rest, show: bool = False) -> list:
+    """The figures of all blocks in their order, from tasks of whole blocks."""
+    blocks = -(-count // BLOCK)
+    ends = [min(count, BLOCK * (blocks * k // partitions)) for k in range(partitions + 1)]
+    ends[-1] = count
+    tasks = [
+        client.submit(work, m, seed, first, last, *rest, pure=False, retries=5)
+        for first, last in zip(ends, ends[1:])
+        if last > first
+    ]
+    for done, _ in enumerate(as_completed(tasks), 1):
+        if show:
+            print(f"\r{done} of {len(tasks)} parts", end="", flush=True)
+    if show:
+        print()
+    return sorted(block for part in client.gather(tasks) for block in part)
+
+
+def deviations(blocks: list) -> dict:
+    """Mean, standard deviation and extremes of both coordinates, in mm."""
+    count = sum(block[1] for block in blocks)
+    total, squares = np.zeros(2), np.zeros(2)
+    worst = np.zeros(2)
+    for _, _, sums, block_squares, largest in blocks:
+        total, squares = total + sums, squares + block_squares
+        worst = np.maximum(worst, largest)
+    mean = total / count
+    return {"count": count, "mean": mean, "deviation": np.sqrt(squares / count - mean**2), "worst": worst}
+
+
+def main(arguments=None):
+    """Runs both and prints their figures."""
+    parser = argparse.ArgumentParser(description=__doc__.split("\n", 1)[0])
+    parser.add_argument("--count", type=float, default=1e8, help="mechanisms within their tolerances")
+    parser.add_argument("--designs", type=float, default=1e7)
+    parser.add_argument("--workers", type=int, default=None)
+    parser.add_argument("--partitions", type=int, default=None)
+    parser.add_argument("--seed", type=int, default=7)
+    parser.add_argument("--scheduler", help="the address of a cluster, else one on this machine")
+    given = parser.parse_args(arguments)
+    m = linkage.parse(TEXT).assemble()
+    wanted = m.path(np.linspace(0.3, 2.0, 6), crank=np.full(6, 48.0)).tracer
+    cluster = given.scheduler or LocalCluster(
+        n_workers=given.workers, threads_per_worker=1, dashboard_address=None
+    )
+    with Client(cluster) as client:
+        workers = len(client.scheduler_info()["workers"])
+        partitions = given.partitions or 16 * workers
+        found = run(client, tolerance_blocks, m, given.seed, int(given.count), partitions, show=True)
+        print(deviations(found))
+        best = run(client, design_blocks, m, given.seed, int(given.designs), partitions, wanted, show=True)
+        _, cost, number, dimensions = min(best, key=lambda block: (block[1], block[2]))
+        print(f"design {number}: {dimensions}, sum of squares {cost:.6g} mm^2")
+    if not given.scheduler:
+        cluster.close()
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,27 @@
+//! The native part of the Python package `linkage`: mechanisms, assemblies and sweeps of
+//! `linkage-engine` as objects of Python.
+//!
+//! Everything here takes checked arguments: names, shapes and defaults are the concern of the
+//! package's Python files, which are the public interface.
+
+mod analysis;
+mod assembly;
+mod circuits;
+mod derivatives;
+mod description;
+mod mechanism;
+mod page;
+mod raised;
+mod sweep;
+mod text;
+
+/// The module `linkage._linkage`.
+#[pyo3::pymodule(gil_used = false)]
+mod _linkage {
+    #[pymodule_export]
+    use crate::assembly::Assembly;
+    #[pymodule_export]
+    use crate::mechanism::Mechanism;
+    #[pymodule_export]
+    use crate::text::compile;
+}

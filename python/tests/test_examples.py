@@ -1,0 +1,104 @@
+"""The examples run, and their figures are right."""
+
+import importlib.util
+import os
+import signal
+import sys
+from pathlib import Path
+
+import linkage
+import numpy as np
+import pytest
+
+EXAMPLES = Path(__file__).resolve().parents[1] / "examples"
+
+
+def example(name: str):
+    specification = importlib.util.spec_from_file_location(name, EXAMPLES / f"{name}.py")
+    module = importlib.util.module_from_spec(specification)
+    # Workers of a cluster find its functions by this name.
+    sys.modules[name] = module
+    specification.loader.exec_module(module)
+    return module
+
+
+def test_least_squares_finds_the_dimensions():
+    pytest.importorskip("scipy")
+    module = example("least_squares")
+    assert np.abs(module.main()).max() < 1e-9
+    phi = np.linspace(0, 6, 5)
+    residuals, jacobian = module.problem(["crank", "arm"], phi, np.zeros((5, 2)))
+    x, step = np.array([50.0, 70.0]), 1e-6
+    for k, own in enumerate(np.eye(2)):
+        difference = (residuals(x + step * own) - residuals(x - step * own)) / (2 * step)
+        assert np.allclose(jacobian(x)[:, k], difference, atol=1e-7)
+
+
+def test_gradients_of_jax():
+    pytest.importorskip("jax")
+    assert example("with_jax").main() < 1e-7
+
+
+def test_gradients_of_torch():
+    pytest.importorskip("torch")
+    assert example("with_torch").main()
+
+
+@pytest.fixture(scope="module")
+def cluster():
+    distributed = pytest.importorskip("distributed")
+    with distributed.LocalCluster(
+        n_workers=2, threads_per_worker=1, dashboard_address=None
+    ) as local, distributed.Client(local) as client:
+        paths = [str(EXAMPLES), *(path for path in sys.path if path)]
+        client.run(lambda: sys.path.extend(path for path in paths if path not in sys.path))
+        yield client
+
+
+def test_results_of_a_cluster_do_not_depend_on_workers(cluster):
+    module = example("cluster")
+    m = linkage.parse(module.TEXT).assemble()
+    count = 250_001
+    alone = module.deviations(module.tolerance_blocks(m, 7, 0, count))
+    for partitions in (1, 3):
+        blocks = module.run(cluster, module.tolerance_blocks, m, 7, count, partitions)
+        found = module.deviations(blocks)
+        assert found["count"] == count
+        for name in ("mean", "deviation", "worst"):
+            assert (found[name] == alone[name]).all()
+    # The root of the sum of squares of uniform deviations.
+    bar = linkage.parse(module.TEXT.replace("{ tracer }", "{ tracer, e: sensitivity(tracer) }"))
+    e = bar.assemble().path(module.PHI).e
+    parts = [e[name] * one.tolerance for name, one in bar.parameters.items()]
+    expected = np.sqrt(sum(part**2 for part in parts) / 3)
+    assert np.allclose(alone["deviation"], expected, rtol=0.01)
+
+
+def test_a_search_on_a_cluster_is_that_of_one_process(cluster):
+    module = example("cluster")
+    m = linkage.parse(module.TEXT).assemble()
+    wanted = m.path(np.linspace(0.3, 2.0, 6), crank=np.full(6, 48.0)).tracer
+    alone = module.design_blocks(m, 7, 0, 150_000, wanted)
+    assert module.run(cluster, module.design_blocks, m, 7, 150_000, 2, wanted) == alone
+    assert all(np.isfinite(block[1]) for block in alone)
+
+
+def test_a_killed_worker_changes_nothing(cluster):
+    module = example("cluster")
+    m = linkage.parse(module.TEXT).assemble()
+    count = 600_000
+    alone = module.deviations(module.tolerance_blocks(m, 3, 0, count))
+    processes = cluster.run(os.getpid)
+    task = cluster.submit(os.kill, next(iter(processes.values())), signal.SIGKILL, pure=False)
+    blocks = module.run(cluster, module.tolerance_blocks, m, 3, count, 6)
+    del task
+    assert (module.deviations(blocks)["mean"] == alone["mean"]).all()
+    assert set(cluster.run(os.getpid).values()) != set(processes.values())
+
+
+def test_numbers_of_a_mechanism_do_not_depend_on_the_others():
+    pytest.importorskip("distributed")
+    uniform = example("cluster").uniform
+    whole = uniform(7, 0, 100, 5)
+    assert (uniform(7, 33, 10, 5) == whole[33:43]).all()
+    assert (uniform(8, 33, 10, 5) != whole[33:43]).all()
