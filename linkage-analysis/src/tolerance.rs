@@ -34,7 +34,9 @@ pub use error::ToleranceError;
 pub use given::Tolerances;
 pub use grade::{Grade, tolerance_factor};
 #[cfg(feature = "monte-carlo")]
-pub use monte_carlo::{Agreement, Estimate, MonteCarlo, Progress, Samples, Statistics};
+pub use monte_carlo::{
+    Agreement, Estimate, ExtremeSample, MonteCarlo, Progress, Samples, Statistics, Stream, Study,
+};
 pub use requirement::{Addition, Requirement};
 pub use second_order::SecondOrder;
 pub use sizes::Sizes;

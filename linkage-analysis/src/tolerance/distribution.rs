@@ -15,10 +15,31 @@ pub enum Distribution {
     /// The sine of an angle that may be any: most frequent at the limits. An eccentricity or a
     /// runout of a part that is mounted at random has this distribution.
     Arcsine,
+    /// Normal with a standard deviation of `t / 3`, without those outside of the tolerance: parts
+    /// that are measured and sorted.
+    TruncatedNormal,
 }
 
+/// Standard deviations of a normal distribution from its middle to the limits of the tolerance.
+const LIMIT: f64 = 3.0;
+/// The part of a normal distribution below its lower limit.
+const BELOW: f64 = 0.001_349_898_031_630_094_5;
+/// The density of the standard normal distribution at the limits, over the part between them.
+const DENSITY: f64 = 0.004_431_848_411_938_007_5 / (1.0 - 2.0 * BELOW);
+
 impl Distribution {
-    /// The standard deviation for a tolerance of 1: 1/3, 1/sqrt(3), 1/sqrt(6), 1/sqrt(2).
+    /// All of them.
+    #[cfg(all(test, feature = "monte-carlo"))]
+    pub(crate) const ALL: [Self; 5] = [
+        Self::Normal,
+        Self::Uniform,
+        Self::Triangular,
+        Self::Arcsine,
+        Self::TruncatedNormal,
+    ];
+
+    /// The standard deviation for a tolerance of 1: 1/3, 1/sqrt(3), 1/sqrt(6), 1/sqrt(2),
+    /// and 0.3289.
     #[must_use]
     pub fn deviation(self) -> f64 {
         match self {
@@ -26,10 +47,12 @@ impl Distribution {
             Self::Uniform => 1.0 / 3.0_f64.sqrt(),
             Self::Triangular => 1.0 / 6.0_f64.sqrt(),
             Self::Arcsine => core::f64::consts::FRAC_1_SQRT_2,
+            Self::TruncatedNormal => (1.0 - 2.0 * LIMIT * DENSITY).sqrt() / LIMIT,
         }
     }
 
-    /// The mean fourth power of the deviation over the squared variance: 3, 9/5, 12/5, 3/2.
+    /// The mean fourth power of the deviation over the squared variance: 3, 9/5, 12/5, 3/2,
+    /// and 2.829.
     #[must_use]
     pub fn kurtosis(self) -> f64 {
         match self {
@@ -37,6 +60,10 @@ impl Distribution {
             Self::Uniform => 1.8,
             Self::Triangular => 2.4,
             Self::Arcsine => 1.5,
+            Self::TruncatedNormal => {
+                let fourth = 3.0 - 2.0 * LIMIT * (LIMIT * LIMIT + 3.0) * DENSITY;
+                fourth / (LIMIT * self.deviation()).powi(4)
+            }
         }
     }
 
@@ -51,6 +78,7 @@ impl Distribution {
             Self::Triangular if p <= 0.5 => (2.0 * p).sqrt() - 1.0,
             Self::Triangular => 1.0 - (2.0 * (1.0 - p)).sqrt(),
             Self::Arcsine => (core::f64::consts::PI * (p - 0.5)).sin(),
+            Self::TruncatedNormal => normal(BELOW + p * (1.0 - 2.0 * BELOW)) / LIMIT,
         }
     }
 }
@@ -63,6 +91,7 @@ impl fmt::Display for Distribution {
             Self::Uniform => "uniform",
             Self::Triangular => "triangular",
             Self::Arcsine => "arcsine",
+            Self::TruncatedNormal => "truncated normal",
         })
     }
 }
@@ -205,6 +234,7 @@ mod tests {
             Distribution::Uniform,
             Distribution::Triangular,
             Distribution::Arcsine,
+            Distribution::TruncatedNormal,
         ] {
             let quantile = |i: i32| distribution.quantile(f64::from(i) / 4096.0);
             let (mut square, mut fourth) = (0.0, 0.0);

@@ -139,6 +139,28 @@ pub enum ToleranceError {
         /// The exponent.
         exponent: f64,
     },
+    /// A measured deviation that is not finite.
+    Measurement {
+        /// Index of the parameter.
+        index: usize,
+        /// The measurement, counted from 0.
+        number: usize,
+        /// The deviation.
+        deviation: f64,
+    },
+    /// A part of a study that is not there.
+    NoSuchPart {
+        /// The part, counted from 0.
+        part: u64,
+        /// The number of parts.
+        of: u64,
+    },
+    /// Results of two studies that are not parts of one.
+    OtherStudy,
+    /// Results of the same mechanisms twice.
+    Repeated,
+    /// Bytes that are no results of a study, or not all of them.
+    NoResults,
 }
 
 impl fmt::Display for ToleranceError {
@@ -246,6 +268,28 @@ impl fmt::Display for ToleranceError {
             } => write!(
                 f,
                 "the cost of {name} is {cost} / t^{exponent}: both numbers must be positive and finite"
+            ),
+            Self::Measurement {
+                index,
+                number,
+                deviation,
+            } => write!(
+                f,
+                "measurement {number} of parameter {index} deviates by {deviation}: it must be finite"
+            ),
+            Self::NoSuchPart { part, of } => write!(
+                f,
+                "there is no part {part} of {of}: parts are counted from 0, and there is one at least"
+            ),
+            Self::OtherStudy => f.write_str(
+                "these results are of another study: seed, number, dimensions, tolerances, distributions and what \
+                 is evaluated must be the same for all parts",
+            ),
+            Self::Repeated => f.write_str(
+                "both results have the same mechanisms: each part of a study is merged once",
+            ),
+            Self::NoResults => f.write_str(
+                "these bytes are no results of a study, or not all of them: they are what `Stream::to_bytes` wrote",
             ),
         }
     }

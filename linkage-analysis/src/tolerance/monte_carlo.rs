@@ -1,37 +1,54 @@
 //! Random mechanisms within their tolerances.
 
 mod agreement;
+mod block;
+mod deviates;
 mod draw;
+mod origin;
+mod random;
 mod rank;
+mod rounds;
 mod samples;
+mod statistics;
+mod stream;
+mod study;
+mod wide;
 
 use alloc::boxed::Box;
-use alloc::vec;
 use alloc::vec::Vec;
 use core::array;
-use std::time::{Duration, Instant};
-
-use rayon::prelude::*;
+use core::ops::{ControlFlow, Range};
 
 pub use agreement::Agreement;
-pub use samples::{Estimate, Samples, Statistics};
+pub use rounds::Progress;
+pub use samples::Samples;
+pub use statistics::{Estimate, Statistics};
+pub use stream::{ExtremeSample, Stream};
+pub use study::Study;
 
+use block::{BLOCK, mechanisms_in};
 use draw::Draw;
+use origin::{Measured, Source};
+use rounds::rounds;
+
+use study::evaluated;
 
 use super::{Distribution, ToleranceError, Tolerances, Uncertainties};
 use linkage_runtime::Dimensions;
 
-/// Mechanisms that are drawn and evaluated together.
-const BLOCK: usize = 1024;
-/// Length of a round of blocks; the progress is reported after each.
-const ROUND: Duration = Duration::from_millis(100);
-
 /// A study by random sampling: mechanisms whose dimensions are drawn within their tolerances,
 /// independently or [correlated](Self::run_correlated), each evaluated in full.
 ///
-/// Equal seeds give equal samples on any number of threads: each block of 1024 mechanisms has a
-/// stream of random numbers of its own, and each mechanism uses one number for each parameter, also
-/// for those that are exact.
+/// | to | call |
+/// |---|---|
+/// | keep every value, for exact percentiles: 16 bytes for each mechanism and number | [`run`](Self::run) |
+/// | evaluate any number of mechanisms in constant memory | [`stream`](Self::stream) |
+/// | look at the results meanwhile, stop, and go on | [`start`](Self::start) |
+/// | divide a study among processes | [`part`](Self::part), [`Stream::merge`] |
+///
+/// Equal seeds give equal mechanisms, to the last bit, on any number of threads, in any parts and
+/// on any machine: each random number is a function of the seed, the parameter and the number of
+/// the mechanism.
 ///
 /// ```
 /// use linkage_analysis::tolerance::{MonteCarlo, Tolerances};
@@ -65,16 +82,9 @@ pub struct MonteCarlo<'a> {
     seed: u64,
     distribution: Distribution,
     exceptions: Vec<(usize, Distribution)>,
+    measured: Vec<(usize, Vec<f64>)>,
+    part: [u64; 2],
     progress: Option<Box<dyn FnMut(Progress) + 'a>>,
-}
-
-/// The progress of a study.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Progress {
-    /// Mechanisms that have been evaluated.
-    pub done: usize,
-    /// All mechanisms.
-    pub count: usize,
 }
 
 impl<'a> MonteCarlo<'a> {
@@ -86,6 +96,8 @@ impl<'a> MonteCarlo<'a> {
             seed: 0,
             distribution: Distribution::Normal,
             exceptions: Vec::new(),
+            measured: Vec::new(),
+            part: [0, 1],
             progress: None,
         }
     }
@@ -111,6 +123,23 @@ impl<'a> MonteCarlo<'a> {
         self
     }
 
+    /// Deviations from the nominal value that were measured of the parameter with this index, in its
+    /// unit: values are drawn from between them, evenly from one to the next. They replace
+    /// tolerance and distribution; [`Samples::agreement`] needs the tolerance.
+    #[must_use]
+    pub fn measured(mut self, index: usize, deviations: &[f64]) -> Self {
+        self.measured.push((index, deviations.to_vec()));
+        self
+    }
+
+    /// Part `part` of `of`, counted from 0: some of the mechanisms, nearly as many as each other
+    /// part has.
+    #[must_use]
+    pub fn part(mut self, part: u64, of: u64) -> Self {
+        self.part = [part, of];
+        self
+    }
+
     /// Calls `report` about ten times a second and at the end, on the thread that called `run`.
     #[must_use]
     pub fn progress(mut self, report: impl FnMut(Progress) + 'a) -> Self {
@@ -127,7 +156,7 @@ impl<'a> MonteCarlo<'a> {
     /// # Errors
     ///
     /// `Nothing` without mechanisms, `NoSuchParameter` for a distribution of a parameter that is
-    /// not there.
+    /// not there, `Measurement` for measured deviations that are not finite, `NoSuchPart`.
     pub fn run<M, const N: usize, const K: usize>(
         self,
         nominal: &M,
@@ -135,17 +164,10 @@ impl<'a> MonteCarlo<'a> {
         evaluate: impl Fn(&[M], [&mut [f64]; K]) + Sync,
     ) -> Result<Samples<N, K>, ToleranceError>
     where
-        M: Dimensions<N> + Send,
+        M: Dimensions<N>,
     {
-        let draw = Draw {
-            seed: self.seed,
-            nominal: nominal.values(),
-            middles: *tolerances.middles(),
-            tolerances: tolerances.values(),
-            distributions: self.distributions()?,
-            root: None,
-        };
-        self.sample(&draw, evaluate)
+        let draw = self.independent(nominal, tolerances)?;
+        self.sample(&draw, &evaluate)
     }
 
     /// Works as [`run`](Self::run), with the distributions and correlations of `uncertainties`
@@ -162,76 +184,215 @@ impl<'a> MonteCarlo<'a> {
         evaluate: impl Fn(&[M], [&mut [f64]; K]) + Sync,
     ) -> Result<Samples<N, K>, ToleranceError>
     where
-        M: Dimensions<N> + Send,
+        M: Dimensions<N>,
     {
-        uncertainties.all_correlated_are_normal()?;
-        let tolerances = uncertainties.tolerances();
-        let draw = Draw {
+        let draw = self.correlated(nominal, uncertainties)?;
+        self.sample(&draw, &evaluate)
+    }
+
+    /// Draws and evaluates the mechanisms as [`run`](Self::run) does, and keeps no value: sums,
+    /// extremes and histograms take a few megabytes for any number of mechanisms.
+    ///
+    /// # Errors
+    ///
+    /// As [`run`](Self::run).
+    ///
+    /// ```
+    /// use linkage_analysis::tolerance::{MonteCarlo, Tolerances};
+    /// use linkage_runtime::{Dimensions, Parameter};
+    ///
+    /// // The code that `mechanism!` generates.
+    /// struct Rod { length: f64 }
+    /// impl Dimensions<1> for Rod {
+    ///     const PARAMETERS: &'static [Parameter] =
+    ///         &[Parameter { name: "length", unit: "mm", nominal: 40.0, tolerance: 0.03 }];
+    ///     fn from_values(&[length]: &[f64; 1]) -> Self { Self { length } }
+    ///     fn values(&self) -> [f64; 1] { [self.length] }
+    /// }
+    ///
+    /// let tolerances = Tolerances::complete(Rod::PARAMETERS)?;
+    /// // Each part in a process of its own.
+    /// let part = |part: u64| {
+    ///     let study = MonteCarlo::new(100_000).seed(7).part(part, 3);
+    ///     study.stream(&Rod { length: 40.0 }, &tolerances, |rods, [squares]| {
+    ///         for (rod, square) in rods.iter().zip(squares) {
+    ///             *square = rod.length * rod.length;
+    ///         }
+    ///     })
+    /// };
+    /// let mut results = part(2)?;
+    /// results.merge(&part(0)?)?;
+    /// results.merge(&part(1)?)?;
+    /// assert_eq!(results.done(), 100_000);
+    /// assert!((results.statistics(0).mean.value - 1600.0).abs() < 0.02);
+    /// let [shortest, longest] = results.extremes(0).expect("there are values");
+    /// assert_eq!(longest.value, longest.dimensions[0].powi(2));
+    /// # Ok::<(), linkage_analysis::tolerance::ToleranceError>(())
+    /// ```
+    pub fn stream<M, const N: usize, const K: usize>(
+        self,
+        nominal: &M,
+        tolerances: &Tolerances<N>,
+        evaluate: impl Fn(&[M], [&mut [f64]; K]) + Sync + 'a,
+    ) -> Result<Stream<N, K>, ToleranceError>
+    where
+        M: Dimensions<N>,
+    {
+        Ok(self.start(nominal, tolerances, evaluate)?.finish())
+    }
+
+    /// A study to be continued step by step, as [`stream`](Self::stream) does it at once. It begins
+    /// with the first 4096 mechanisms, whose values set the bins of the histogram.
+    ///
+    /// # Errors
+    ///
+    /// As [`run`](Self::run).
+    pub fn start<M, const N: usize, const K: usize>(
+        self,
+        nominal: &M,
+        tolerances: &Tolerances<N>,
+        evaluate: impl Fn(&[M], [&mut [f64]; K]) + Sync + 'a,
+    ) -> Result<Study<'a, N, K>, ToleranceError>
+    where
+        M: Dimensions<N>,
+    {
+        let draw = self.independent(nominal, tolerances)?;
+        self.begin(draw, evaluate)
+    }
+
+    /// Works as [`start`](Self::start), with the distributions and correlations of `uncertainties`
+    /// instead of those of the study.
+    ///
+    /// # Errors
+    ///
+    /// As [`run_correlated`](Self::run_correlated).
+    pub fn start_correlated<M, const N: usize, const K: usize>(
+        self,
+        nominal: &M,
+        uncertainties: &Uncertainties<N>,
+        evaluate: impl Fn(&[M], [&mut [f64]; K]) + Sync + 'a,
+    ) -> Result<Study<'a, N, K>, ToleranceError>
+    where
+        M: Dimensions<N>,
+    {
+        let draw = self.correlated(nominal, uncertainties)?;
+        self.begin(draw, evaluate)
+    }
+
+    fn begin<M, const N: usize, const K: usize>(
+        self,
+        draw: Draw<N>,
+        evaluate: impl Fn(&[M], [&mut [f64]; K]) + Sync + 'a,
+    ) -> Result<Study<'a, N, K>, ToleranceError>
+    where
+        M: Dimensions<N>,
+    {
+        let blocks = self.blocks()?;
+        let (count, progress) = (self.count as u64, self.progress);
+        Ok(Study::new(count, draw, blocks, progress, evaluate))
+    }
+
+    /// Evaluates the mechanisms and keeps all values.
+    fn sample<M, const N: usize, const K: usize>(
+        mut self,
+        draw: &Draw<N>,
+        evaluate: &(impl Fn(&[M], [&mut [f64]; K]) + Sync),
+    ) -> Result<Samples<N, K>, ToleranceError>
+    where
+        M: Dimensions<N>,
+    {
+        let count = self.count as u64;
+        let work = |blocks: Range<u64>| {
+            let mut values: [Vec<f64>; K] = array::from_fn(|_| Vec::new());
+            evaluated(draw, count, blocks, evaluate, |_, columns| {
+                for (values, column) in values.iter_mut().zip(columns) {
+                    values.extend_from_slice(column);
+                }
+            });
+            values
+        };
+        let mut columns: [Vec<f64>; K] = array::from_fn(|_| Vec::new());
+        let blocks = self.blocks()?;
+        let all = mechanisms_in(&blocks, count) as usize;
+        rounds(blocks, work, |parts| {
+            for (k, part) in parts.into_iter().flat_map(|part| (0..K).zip(part)) {
+                columns[k].extend_from_slice(&part);
+            }
+            if let Some(report) = &mut self.progress {
+                report(Progress {
+                    done: columns.first().map_or(0, Vec::len),
+                    count: all,
+                });
+            }
+            ControlFlow::Continue(())
+        });
+        Ok(Samples::new(columns, draw.deviations()))
+    }
+
+    /// Dimensions that are drawn independently.
+    fn independent<M: Dimensions<N>, const N: usize>(
+        &self,
+        nominal: &M,
+        tolerances: &Tolerances<N>,
+    ) -> Result<Draw<N>, ToleranceError> {
+        let mut sources = array::from_fn(|_| Source::Distribution(self.distribution));
+        let exceptions = self.exceptions.iter();
+        for &(index, distribution) in exceptions {
+            *entry(&mut sources, index)? = Source::Distribution(distribution);
+        }
+        for (index, deviations) in &self.measured {
+            *entry(&mut sources, *index)? = Source::Measured(Measured::new(*index, deviations)?);
+        }
+        Ok(Draw {
             seed: self.seed,
             nominal: nominal.values(),
             middles: *tolerances.middles(),
             tolerances: tolerances.values(),
-            distributions: *uncertainties.distributions(),
-            root: Some(*uncertainties.root()),
-        };
-        self.sample(&draw, evaluate)
+            sources,
+            root: None,
+        })
     }
 
-    fn sample<M, const N: usize, const K: usize>(
-        mut self,
-        draw: &Draw<N>,
-        evaluate: impl Fn(&[M], [&mut [f64]; K]) + Sync,
-    ) -> Result<Samples<N, K>, ToleranceError>
-    where
-        M: Dimensions<N> + Send,
-    {
+    /// Dimensions by their distributions and correlations.
+    fn correlated<M: Dimensions<N>, const N: usize>(
+        &self,
+        nominal: &M,
+        uncertainties: &Uncertainties<N>,
+    ) -> Result<Draw<N>, ToleranceError> {
+        uncertainties.all_correlated_are_normal()?;
+        let tolerances = uncertainties.tolerances();
+        Ok(Draw {
+            seed: self.seed,
+            nominal: nominal.values(),
+            middles: *tolerances.middles(),
+            tolerances: tolerances.values(),
+            sources: uncertainties.distributions().map(Source::Distribution),
+            root: Some(*uncertainties.root()),
+        })
+    }
+
+    /// The blocks of the part.
+    fn blocks(&self) -> Result<Range<u64>, ToleranceError> {
+        let [part, of] = self.part;
+        if part >= of {
+            return Err(ToleranceError::NoSuchPart { part, of });
+        }
         if self.count == 0 {
             return Err(ToleranceError::Nothing {
                 what: "no mechanisms",
             });
         }
-        let count = self.count;
-        let block = |index: usize| -> [Vec<f64>; K] {
-            let length = BLOCK.min(count - index * BLOCK);
-            let mechanisms: Vec<M> = draw.block(index, length);
-            let mut columns = array::from_fn(|_| vec![f64::NAN; length]);
-            evaluate(&mechanisms, columns.each_mut().map(Vec::as_mut_slice));
-            columns
-        };
-        let mut columns: [Vec<f64>; K] = array::from_fn(|_| Vec::with_capacity(count));
-        let (mut next, blocks) = (0, count.div_ceil(BLOCK));
-        let mut round = rayon::current_num_threads().max(1);
-        while next < blocks {
-            let (started, end) = (Instant::now(), blocks.min(next + round));
-            let results: Vec<_> = (next..end).into_par_iter().map(block).collect();
-            for (column, part) in results.into_iter().flat_map(|r| (0..K).zip(r)) {
-                columns[column].extend_from_slice(&part);
-            }
-            next = end;
-            // Only the length of a round depends on time, and no sample on the length of a round.
-            let taken = started.elapsed();
-            round = if taken < ROUND / 2 { 2 * round } else { round };
-            round = if taken > ROUND * 2 {
-                (round / 2).max(1)
-            } else {
-                round
-            };
-            if let Some(report) = &mut self.progress {
-                report(Progress {
-                    done: count.min(next * BLOCK),
-                    count,
-                });
-            }
-        }
-        Ok(Samples::new(columns, draw.distributions))
+        let blocks = self.count.div_ceil(BLOCK) as u128;
+        let [begin, end] =
+            [part, part + 1].map(|k| (blocks * u128::from(k) / u128::from(of)) as u64);
+        Ok(begin..end)
     }
+}
 
-    fn distributions<const N: usize>(&self) -> Result<[Distribution; N], ToleranceError> {
-        let mut distributions = [self.distribution; N];
-        for &(index, distribution) in &self.exceptions {
-            let entry = distributions.get_mut(index);
-            *entry.ok_or(ToleranceError::NoSuchParameter { index, count: N })? = distribution;
-        }
-        Ok(distributions)
-    }
+fn entry<const N: usize>(
+    sources: &mut [Source; N],
+    index: usize,
+) -> Result<&mut Source, ToleranceError> {
+    let entry = sources.get_mut(index);
+    entry.ok_or(ToleranceError::NoSuchParameter { index, count: N })
 }

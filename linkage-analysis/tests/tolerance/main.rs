@@ -12,6 +12,8 @@ mod modulus;
 mod monte_carlo;
 #[cfg(feature = "monte-carlo")]
 mod statistics;
+#[cfg(feature = "monte-carlo")]
+mod stream;
 
 use linkage_analysis::tolerance::Tolerances;
 use linkage_runtime::Parameter;

@@ -6,7 +6,7 @@ use linkage_runtime::{Dimensions, Parameter};
 use super::near;
 
 /// A triangle from its three sides: the height over the third, NaN if they do not close.
-struct Triangle([f64; 3]);
+pub(super) struct Triangle(pub(super) [f64; 3]);
 
 impl Dimensions<3> for Triangle {
     const PARAMETERS: &'static [Parameter] = &[
@@ -34,29 +34,29 @@ const fn side(name: &'static str, nominal: f64, tolerance: f64) -> Parameter {
 }
 
 impl Triangle {
-    fn foot(&self) -> f64 {
+    pub(super) fn foot(&self) -> f64 {
         let [a, b, c] = self.0;
         (a * a - b * b + c * c) / (2.0 * c)
     }
 
-    fn height(&self) -> f64 {
+    pub(super) fn height(&self) -> f64 {
         (self.0[0].powi(2) - self.foot().powi(2)).sqrt()
     }
 }
 
-const NOMINAL: Triangle = Triangle([30.0, 40.0, 50.0]);
+pub(super) const NOMINAL: Triangle = Triangle([30.0, 40.0, 50.0]);
 
-fn tolerances() -> Tolerances<3> {
+pub(super) fn tolerances() -> Tolerances<3> {
     Tolerances::declared(Triangle::PARAMETERS).expect("they are valid")
 }
 
-fn apex(triangles: &[Triangle], [x, y]: [&mut [f64]; 2]) {
+pub(super) fn apex(triangles: &[Triangle], [x, y]: [&mut [f64]; 2]) {
     for (i, triangle) in triangles.iter().enumerate() {
         (x[i], y[i]) = (triangle.foot(), triangle.height());
     }
 }
 
-fn study(study: MonteCarlo) -> Samples<3, 2> {
+pub(super) fn study(study: MonteCarlo) -> Samples<3, 2> {
     study
         .run(&NOMINAL, &tolerances(), apex)
         .expect("there are mechanisms")

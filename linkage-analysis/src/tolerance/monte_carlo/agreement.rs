@@ -2,8 +2,7 @@
 
 use core::fmt;
 
-use super::Samples;
-use super::samples::Estimate;
+use super::statistics::{Estimate, Statistics};
 use crate::components::norm;
 use crate::tolerance::Effects;
 use linkage_core::format::rounded;
@@ -30,34 +29,20 @@ pub struct Agreement {
 }
 
 impl Agreement {
-    /// The standard deviation of the samples over that of the linear analysis.
-    #[must_use]
-    pub fn ratio(&self) -> f64 {
-        self.sampled.value / self.linear
-    }
-
-    /// True if both standard deviations agree within `part` (0.01 for one per cent) beyond the
-    /// interval of the samples, and every sample could be assembled.
-    #[must_use]
-    pub fn within(&self, part: f64) -> bool {
-        self.missing == 0
-            && self.linear >= self.sampled.low - part * self.linear
-            && self.linear <= self.sampled.high + part * self.linear
-    }
-}
-
-impl<const N: usize, const K: usize> Samples<N, K> {
-    /// The samples and the linear analysis, number by number. `effects` are those of the same
-    /// quantities by the same tolerances, `nominal` the values of the nominal mechanism.
-    #[must_use]
-    pub fn agreement(&self, effects: &Effects<N, K>, nominal: [f64; K]) -> [Agreement; K] {
-        let deviations = self.deviations();
+    /// The numbers of a study next to the linear analysis. `deviations` are those of the parameters
+    /// for a tolerance of 1.
+    pub(super) fn all<const N: usize, const K: usize>(
+        effects: &Effects<N, K>,
+        deviations: &[f64; N],
+        nominal: [f64; K],
+        statistics: impl Fn(usize) -> Statistics,
+    ) -> [Self; K] {
         let worst_case = effects.worst_case();
         core::array::from_fn(|k| {
-            let statistics = self.statistics(k);
+            let statistics = statistics(k);
             let parts: [f64; N] = core::array::from_fn(|i| effects.effects()[i][k] * deviations[i]);
             let from_nominal = |x: f64| x - nominal[k];
-            Agreement {
+            Self {
                 nominal: nominal[k],
                 shift: Estimate {
                     value: from_nominal(statistics.mean.value),
@@ -71,6 +56,21 @@ impl<const N: usize, const K: usize> Samples<N, K> {
                 missing: statistics.missing,
             }
         })
+    }
+
+    /// The standard deviation of the samples over that of the linear analysis.
+    #[must_use]
+    pub fn ratio(&self) -> f64 {
+        self.sampled.value / self.linear
+    }
+
+    /// True if both standard deviations agree within `part` (0.01 for one per cent) beyond the
+    /// interval of the samples, and every sample could be assembled.
+    #[must_use]
+    pub fn within(&self, part: f64) -> bool {
+        self.missing == 0
+            && self.linear >= self.sampled.low - part * self.linear
+            && self.linear <= self.sampled.high + part * self.linear
     }
 }
 

@@ -1,70 +1,105 @@
 //! Random draws of mechanisms.
 
+use alloc::boxed::Box;
+use alloc::vec;
 use alloc::vec::Vec;
 use core::array;
 
-use rand::rngs::Xoshiro256PlusPlus;
-use rand::{Rng, SeedableRng};
-
-use crate::tolerance::Distribution;
+use super::block::BLOCK;
+use super::deviates::{Deviates, fill};
+use super::origin::Source;
+use super::random::Numbers;
 use crate::tolerance::correlation::Square;
 use linkage_runtime::Dimensions;
 
 /// Everything that a sample depends on.
+#[derive(Clone, Debug, PartialEq)]
 pub(super) struct Draw<const N: usize> {
     pub(super) seed: u64,
     pub(super) nominal: [f64; N],
     pub(super) middles: [f64; N],
     pub(super) tolerances: [f64; N],
-    pub(super) distributions: [Distribution; N],
+    pub(super) sources: [Source; N],
     /// The root of the matrix of correlations: all that are correlated are normal. `None` if
     /// nothing is.
     pub(super) root: Option<Square<N>>,
 }
 
+/// The dimensions of a block of mechanisms, a column for each.
+pub(super) struct Columns<const N: usize> {
+    columns: Box<[[f64; BLOCK]]>,
+}
+
+impl<const N: usize> Columns<N> {
+    pub(super) fn new() -> Self {
+        Self {
+            columns: vec![[0.0; BLOCK]; N].into_boxed_slice(),
+        }
+    }
+
+    /// The dimensions of one mechanism.
+    pub(super) fn row(&self, row: usize) -> [f64; N] {
+        array::from_fn(|i| self.columns[i][row])
+    }
+
+    /// The first mechanisms of the block.
+    pub(super) fn mechanisms<M: Dimensions<N>>(&self, length: usize, mechanisms: &mut Vec<M>) {
+        mechanisms.clear();
+        mechanisms.extend((0..length).map(|row| M::from_values(&self.row(row))));
+    }
+}
+
 impl<const N: usize> Draw<N> {
-    /// The mechanisms of a block.
-    pub(super) fn block<M: Dimensions<N>>(&self, index: usize, length: usize) -> Vec<M> {
-        let mut random = stream(self.seed, index as u64);
-        let mut mechanism = || {
-            let independent: [f64; N] =
-                array::from_fn(|i| drawn(self.distributions[i], &mut random));
-            let deviations: [f64; N] = match &self.root {
-                None => independent,
-                // Normal distributions have one standard deviation for a tolerance of 1, and so has
-                // what the root mixes.
-                Some(root) => array::from_fn(|i| (0..N).map(|j| root[i][j] * independent[j]).sum()),
+    /// Draws the mechanisms of a block.
+    pub(super) fn block(&self, block: u64, into: &mut Columns<N>) {
+        for (i, column) in into.columns.iter_mut().enumerate() {
+            let [nominal, middle, factor] = match (&self.root, &self.sources[i]) {
+                // Deviations for a tolerance of 1 alone: they are mixed first.
+                (Some(_), _) => [0.0, 0.0, 1.0],
+                (None, Source::Distribution(_)) => {
+                    [self.nominal[i], self.middles[i], self.tolerances[i]]
+                }
+                (None, Source::Measured(_)) => [self.nominal[i], 0.0, 1.0],
             };
-            let value =
-                |i: usize| self.nominal[i] + (self.middles[i] + self.tolerances[i] * deviations[i]);
-            M::from_values(&array::from_fn(value))
-        };
-        (0..length).map(|_| mechanism()).collect()
+            fill(Deviates {
+                source: &self.sources[i],
+                numbers: Numbers::new(self.seed, i),
+                block,
+                nominal,
+                middle,
+                factor,
+                column,
+            });
+        }
+        if let Some(root) = &self.root {
+            for row in 0..BLOCK {
+                self.mix(root, &mut into.columns, row);
+            }
+        }
     }
-}
 
-/// A deviation for a tolerance of 1.
-fn drawn(distribution: Distribution, random: &mut impl Rng) -> f64 {
-    // 52 bits, in the middle of their intervals: exact, and never 0 or 1.
-    const STEP: f64 = 1.0 / (1_u64 << 52) as f64;
-    distribution.quantile(((random.next_u64() >> 12) as f64 + 0.5) * STEP)
-}
-
-/// The random numbers of one block.
-fn stream(seed: u64, block: u64) -> Xoshiro256PlusPlus {
-    let mut state = mixed(mixed(seed) ^ block);
-    let mut bytes = [0; 32];
-    for word in bytes.chunks_exact_mut(8) {
-        state = mixed(state);
-        word.copy_from_slice(&state.to_le_bytes());
+    /// One mechanism of a block: normal distributions have one standard deviation for a tolerance
+    /// of 1, and so has what the root mixes.
+    fn mix(&self, root: &Square<N>, columns: &mut [[f64; BLOCK]], row: usize) {
+        let independent: [f64; N] = array::from_fn(|i| columns[i][row]);
+        for (i, column) in columns.iter_mut().enumerate() {
+            let deviation: f64 = (0..N).map(|j| root[i][j] * independent[j]).sum();
+            column[row] = self.nominal[i] + (self.middles[i] + self.tolerances[i] * deviation);
+        }
     }
-    Xoshiro256PlusPlus::from_seed(bytes)
-}
 
-/// A step of SplitMix64, which spreads neighbouring numbers over all bits.
-fn mixed(state: u64) -> u64 {
-    let mut z = state.wrapping_add(0x9e37_79b9_7f4a_7c15);
-    z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-    z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-    z ^ (z >> 31)
+    /// The dimensions of the mechanism with this number.
+    pub(super) fn mechanism(&self, number: u64) -> [f64; N] {
+        let mut columns = Columns::new();
+        self.block(number / BLOCK as u64, &mut columns);
+        columns.row((number % BLOCK as u64) as usize)
+    }
+
+    /// The standard deviation that each parameter has for a tolerance of 1.
+    pub(super) fn deviations(&self) -> [f64; N] {
+        array::from_fn(|i| match &self.sources[i] {
+            Source::Distribution(distribution) => distribution.deviation(),
+            Source::Measured(measured) => measured.deviation() / self.tolerances[i],
+        })
+    }
 }

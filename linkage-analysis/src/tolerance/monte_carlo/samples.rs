@@ -1,14 +1,13 @@
-//! Statistics of samples.
+//! All values of a study, and their statistics.
 
 use alloc::vec::Vec;
-use core::{array, fmt};
 
 use rayon::slice::ParallelSliceMut;
 
+use super::agreement::Agreement;
 use super::rank::ranks;
-use crate::tolerance::Distribution;
-use crate::tolerance::distribution::normal;
-use linkage_core::format::rounded;
+use super::statistics::{Estimate, Moments, Statistics, score_interval};
+use crate::tolerance::Effects;
 
 /// The results of a study: `K` numbers for each mechanism.
 #[derive(Clone, Debug, PartialEq)]
@@ -16,39 +15,12 @@ pub struct Samples<const N: usize, const K: usize> {
     columns: [Vec<f64>; K],
     /// The numbers of each column that are not NaN, in order.
     sorted: [Vec<f64>; K],
-    distributions: [Distribution; N],
-}
-
-/// An estimate from samples with its confidence interval.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Estimate {
-    /// The estimate.
-    pub value: f64,
-    /// Lower end of the interval.
-    pub low: f64,
-    /// Upper end of the interval.
-    pub high: f64,
-}
-
-/// A number over all mechanisms that could be assembled. Intervals are of 95 % confidence.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Statistics {
-    /// The number of mechanisms that could be assembled.
-    pub count: usize,
-    /// The number of mechanisms that could not be assembled, whose value is NaN.
-    pub missing: usize,
-    /// The mean.
-    pub mean: Estimate,
-    /// The standard deviation.
-    pub deviation: Estimate,
-    /// The least value.
-    pub min: f64,
-    /// The largest value.
-    pub max: f64,
+    /// The standard deviation that each parameter has for a tolerance of 1.
+    deviations: [f64; N],
 }
 
 impl<const N: usize, const K: usize> Samples<N, K> {
-    pub(super) fn new(columns: [Vec<f64>; K], distributions: [Distribution; N]) -> Self {
+    pub(super) fn new(columns: [Vec<f64>; K], deviations: [f64; N]) -> Self {
         let sorted = columns.each_ref().map(|column| {
             let mut numbers: Vec<f64> = column.iter().copied().filter(|x| !x.is_nan()).collect();
             numbers.par_sort_unstable_by(f64::total_cmp);
@@ -57,7 +29,7 @@ impl<const N: usize, const K: usize> Samples<N, K> {
         Self {
             columns,
             sorted,
-            distributions,
+            deviations,
         }
     }
 
@@ -71,12 +43,6 @@ impl<const N: usize, const K: usize> Samples<N, K> {
         &self.columns[k]
     }
 
-    /// The distribution of each parameter.
-    #[must_use]
-    pub const fn distributions(&self) -> &[Distribution; N] {
-        &self.distributions
-    }
-
     /// The number of mechanisms without a value in any of the numbers: they could not be assembled.
     #[must_use]
     pub fn missing(&self) -> usize {
@@ -85,39 +51,19 @@ impl<const N: usize, const K: usize> Samples<N, K> {
         (0..count).filter(lacks).count()
     }
 
-    /// Mean, deviation and limits of number `k`; NaN if no mechanism could be assembled.
+    /// Mean, deviation, skewness and limits of number `k`; NaN if no mechanism could be assembled.
     #[must_use]
     pub fn statistics(&self, k: usize) -> Statistics {
         let sorted = &self.sorted[k];
-        let count = sorted.len();
-        let n = count as f64;
-        // About a value in the middle, so that nothing cancels.
-        let middle = sorted.get(count / 2).copied().unwrap_or(f64::NAN);
-        let shift = sorted.iter().map(|x| x - middle).sum::<f64>() / n;
-        let power = |p: i32| -> f64 { sorted.iter().map(|x| (x - middle - shift).powi(p)).sum() };
-        let (squares, fourth) = (power(2), power(4));
-        let deviation = (squares / (n - 1.0)).sqrt();
-        // The variance of a variance depends on how heavy the tails are.
-        let peak = if squares == 0.0 {
-            1.0
-        } else {
-            n * fourth / (squares * squares)
+        let centre = sorted.get(sorted.len() / 2).copied().unwrap_or(f64::NAN);
+        let power = |p: i32| sorted.iter().map(|x| (x - centre).powi(p)).sum();
+        let moments = Moments {
+            count: sorted.len() as u64,
+            centre,
+            powers: [1, 2, 3, 4].map(power),
         };
-        let spread = deviation * (0.25 * (peak - 1.0).max(0.0) / n).sqrt();
-        let z = normal(0.975);
-        let around = |value: f64, error: f64| Estimate {
-            value,
-            low: value - z * error,
-            high: value + z * error,
-        };
-        Statistics {
-            count,
-            missing: self.columns[k].len() - count,
-            mean: around(middle + shift, deviation / n.sqrt()),
-            deviation: around(deviation, spread),
-            min: sorted.first().copied().unwrap_or(f64::NAN),
-            max: sorted.last().copied().unwrap_or(f64::NAN),
-        }
+        let ends = [sorted.first(), sorted.last()].map(|end| end.copied().unwrap_or(f64::NAN));
+        moments.statistics((self.columns[k].len() - sorted.len()) as u64, ends)
     }
 
     /// The value below which this part of the mechanisms is, 0.95 for the 95th percentile, with
@@ -131,11 +77,7 @@ impl<const N: usize, const K: usize> Samples<N, K> {
         let sorted = &self.sorted[k];
         let inside = |x: f64| x > 0.0 && x < 1.0;
         if sorted.is_empty() || !(inside(part) && inside(confidence)) {
-            return Estimate {
-                value: f64::NAN,
-                low: f64::NAN,
-                high: f64::NAN,
-            };
+            return Estimate::NAN;
         }
         let rank = part * (sorted.len() - 1) as f64;
         let (below, above) = (rank.floor() as usize, rank.ceil() as usize);
@@ -163,40 +105,13 @@ impl<const N: usize, const K: usize> Samples<N, K> {
         let sorted = &self.sorted[k];
         let below = sorted.partition_point(|&x| x < low);
         let within = sorted.partition_point(|&x| x <= high).saturating_sub(below);
-        let n = self.columns[k].len() as f64;
-        let part = within as f64 / n;
-        let z = normal(0.5 + 0.5 * confidence);
-        let centre = (part + 0.5 * z * z / n) / (1.0 + z * z / n);
-        let half =
-            z / (1.0 + z * z / n) * (part * (1.0 - part) / n + 0.25 * z * z / (n * n)).sqrt();
-        Estimate {
-            value: part,
-            low: (centre - half).max(0.0),
-            high: (centre + half).min(1.0),
-        }
+        score_interval(within as f64, self.columns[k].len() as f64, confidence)
     }
 
-    /// The standard deviation that each parameter's distribution has for a tolerance of 1.
-    pub(super) fn deviations(&self) -> [f64; N] {
-        array::from_fn(|i| self.distributions[i].deviation())
-    }
-}
-
-/// A text such as `17.5 (17.4 to 17.6)`.
-impl fmt::Display for Estimate {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let [value, low, high] = [self.value, self.low, self.high].map(rounded);
-        write!(f, "{value} ({low} to {high})")
-    }
-}
-
-impl fmt::Display for Statistics {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        writeln!(f, "mean                {}", self.mean)?;
-        writeln!(f, "standard deviation  {}", self.deviation)?;
-        writeln!(f, "from                {}", rounded(self.min))?;
-        writeln!(f, "to                  {}", rounded(self.max))?;
-        writeln!(f, "mechanisms          {}", self.count)?;
-        writeln!(f, "not assembled       {}", self.missing)
+    /// The samples and the linear analysis, number by number. `effects` are those of the same
+    /// quantities by the same tolerances, `nominal` the values of the nominal mechanism.
+    #[must_use]
+    pub fn agreement(&self, effects: &Effects<N, K>, nominal: [f64; K]) -> [Agreement; K] {
+        Agreement::all(effects, &self.deviations, nominal, |k| self.statistics(k))
     }
 }
