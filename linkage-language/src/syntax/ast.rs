@@ -10,7 +10,7 @@ use super::keyword::{DeclarationWord, ItemWord, LoadWord};
 use super::link_inventory::{LinkInventory, LinkLoop};
 use super::linked_tree::LinkedItem;
 use super::mechanics_tree::{BodyItem, ElementItem, JointItem, LoadItem, Member};
-use crate::diagnostic::SourceSpan;
+use crate::diagnostic::{Diagnostics, SourceSpan};
 
 /// One mechanism of the macro's input: its struct block and its `impl` blocks.
 #[derive(Debug)]
@@ -24,6 +24,10 @@ pub struct MechanismDef {
     pub functions: Vec<FunctionDef>,
     /// The joints and links that items stand for, once these have taken their place.
     pub links: Option<LinkInventory>,
+    /// Warnings about joints and links.
+    pub warnings: Diagnostics,
+    /// True after a mistake in joints and links: their bodies and quantities are unknown.
+    pub links_are_lost: bool,
 }
 
 impl MechanismDef {

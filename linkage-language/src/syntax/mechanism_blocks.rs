@@ -72,6 +72,8 @@ impl Parser<'_> {
             items: Vec::new(),
             functions: Vec::new(),
             links: None,
+            warnings: Diagnostics::default(),
+            links_are_lost: false,
         };
         let body = self.braces(&definition.name.to_string());
         let items = body.map(|group| self.within(&group, |parser| parser.items()));

@@ -6,7 +6,7 @@ use quote::{format_ident, quote};
 
 use super::programs;
 use linkage_compiler::ir::{CompiledMechanism, Group, Input, Parameter, Scalar, Unknown};
-use linkage_language::diagnostic::{OriginId, SourceSpan};
+use linkage_language::diagnostic::{Diagnostics, OriginId, SourceSpan};
 use linkage_language::model::{
     self, Dimension, LengthUnit, Mechanism, ScalarParameterId, Shape, Type,
 };
@@ -175,6 +175,8 @@ fn def() -> MechanismDef {
             function("fixed", "Fixed", &[], vec![quantity("rod2", name("rod2"))]),
         ],
         links: None,
+        warnings: Diagnostics::default(),
+        links_are_lost: false,
     }
 }
 

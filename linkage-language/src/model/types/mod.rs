@@ -39,7 +39,7 @@ pub use mechanism::{
     Parameter, Placed, Quantity, ScalarParameter, Unknown,
 };
 pub use motion_law::{
-    Ends, HIGHEST_SLOPE, Law, MotionLawKind, Pieces, Repeating, Repeats, SplineWord,
+    Degree, Ends, HIGHEST_SLOPE, Law, MotionLawKind, Pieces, Repeating, Repeats, SplineWord,
 };
 pub use name::{Name, ScalarParameterId, Variable};
 pub(in crate::model) use parts_of_frame::{ANGLE_PART, type_of_part};
