@@ -2,8 +2,8 @@
 
 use std::ops::Range;
 
-use linkage_language::model::{CalledWord, Law};
-use linkage_language::syntax::{ClauseWord, ItemWord, Word};
+use linkage_language::model::{CalledWord, plain_word};
+use linkage_language::syntax::Word;
 
 use crate::context::next_solid;
 use crate::declaration::NameKind;
@@ -81,11 +81,7 @@ fn colour(word: &str, is_called: bool) -> Option<Colour> {
     if is_called && CalledWord::from_word(word).is_some() {
         return Some(Colour::Function);
     }
-    let is_keyword = matches!(
-        word,
-        "pub" | "struct" | "impl" | "fn" | "in" | "redundant" | "frame"
-    ) || ItemWord::from_word(word).is_some()
-        || ClauseWord::from_word(word).is_some()
-        || Law::from_word(word).is_some();
+    let is_keyword =
+        matches!(word, "pub" | "struct" | "impl" | "fn") || plain_word(word, None).is_some();
     is_keyword.then_some(Colour::Keyword)
 }

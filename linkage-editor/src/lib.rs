@@ -16,7 +16,7 @@
 //! | list the names of a text | [`Document::symbols`] |
 //! | offer changes | [`Document::actions`] |
 //! | format | [`formatted`] |
-//! | colour words | [`Document::words`] |
+//! | colour words | [`Document::words`], or [`word_classes`] without a text |
 //! | convert bytes to lines and columns | [`Lines`] |
 //!
 //! Places are bytes of the text.
@@ -39,6 +39,7 @@ mod formatter;
 mod hints;
 mod hover;
 mod lexer;
+mod loop_terms;
 mod name_values;
 mod navigation;
 mod outline;
@@ -50,6 +51,7 @@ mod signature;
 mod statements;
 mod symbols;
 mod uses;
+mod word_classes;
 
 pub use actions::Action;
 pub use colours::{Colour, ColouredWord};
@@ -63,3 +65,4 @@ pub use hover::Hover;
 pub use position::{Encoding, Lines, Position};
 pub use signature::Signature;
 pub use symbols::Symbol;
+pub use word_classes::{WordClasses, word_classes};
