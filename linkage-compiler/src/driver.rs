@@ -147,6 +147,7 @@ impl Driver {
             let library = library(&definitions, &progress, &order[..rank]);
             let definition = &definitions[index];
             let mut diagnostics = std::mem::take(&mut progress[index].diagnostics);
+            diagnostics.append(definition.warnings.clone());
             let model = model::resolve(definition, &library, &mut diagnostics);
             let model = model.filter(|_| syntax.is_empty()).map(Rc::new);
             // A part that cannot be assembled has been reported for the part itself.

@@ -2,8 +2,8 @@
 
 use std::ops::Range;
 
-use linkage_language::model::CalledWord;
-use linkage_language::syntax::{ClauseWord, ItemWord, Word, is_unit};
+use linkage_language::model::{CalledWord, plain_word};
+use linkage_language::syntax::{Word, is_unit};
 
 use crate::computed::Age;
 use crate::declaration::{Declaration, NameKind};
@@ -11,6 +11,7 @@ use crate::diagnostics::{Diagnostic, Edit, Fix};
 use crate::document::Document;
 use crate::hints::solution;
 use crate::lexer::Kind;
+use crate::loop_terms::missing_terms;
 use crate::outline::Outline;
 use crate::shown;
 
@@ -32,6 +33,7 @@ pub(crate) fn actions(document: &Document, range: &Range<usize>) -> Vec<Action> 
         }
         let fixes = diagnostic.fixes.iter().cloned();
         let fixes = fixes.chain(declarations(document, diagnostic));
+        let fixes = fixes.chain(missing_terms(document, diagnostic));
         found.extend(fixes.map(|fix| Action {
             fix,
             diagnostic: Some(index),
@@ -97,8 +99,7 @@ fn declarations(document: &Document, diagnostic: &Diagnostic) -> Vec<Fix> {
 /// Returns true for a word that has a meaning without a declaration.
 fn is_of_language(word: &str) -> bool {
     CalledWord::from_word(word).is_some()
-        || ItemWord::from_word(word).is_some()
-        || ClauseWord::from_word(word).is_some()
+        || plain_word(word, None).is_some()
         || is_unit(word)
         || word == "PI"
 }

@@ -104,12 +104,13 @@ fn diagnostic(
     offset: usize,
 ) -> Diagnostic {
     let range = |span: SourceSpan| bytes(call, span, offset);
+    let edit = |(span, text): &(SourceSpan, String)| Edit {
+        range: range(*span),
+        text: text.clone(),
+    };
     let fixes = message.suggestions.iter().map(|suggestion| Fix {
         title: suggestion.title.clone(),
-        edits: vec![Edit {
-            range: range(suggestion.span),
-            text: suggestion.replacement.clone(),
-        }],
+        edits: suggestion.edits.iter().map(edit).collect(),
     });
     let (fact, help) = match message.text.split_once("\nhelp: ") {
         Some((fact, help)) => (fact, Some(help.to_owned())),

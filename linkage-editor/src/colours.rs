@@ -2,8 +2,8 @@
 
 use std::ops::Range;
 
-use linkage_language::model::{CalledWord, Law};
-use linkage_language::syntax::{ClauseWord, ItemWord, LinkClause, Word};
+use linkage_language::model::{CalledWord, WordClass, plain_word, words_of_class};
+use linkage_language::syntax::Word;
 
 use crate::context::next_solid;
 use crate::declaration::NameKind;
@@ -76,19 +76,16 @@ pub(crate) fn words(document: &Document) -> Vec<ColouredWord> {
     found
 }
 
-/// Words of the language that are part of no list with meanings.
-const STRUCTURE: [&str; 7] = ["pub", "struct", "impl", "fn", "in", "redundant", "frame"];
+/// Words that begin a block and are part of no list with meanings.
+const BLOCKS: [&str; 4] = ["pub", "struct", "impl", "fn"];
 
 /// Returns the words of the language with their colours. A function is one only before an opening
 /// parenthesis, and may be a keyword elsewhere.
 #[must_use]
 pub fn language_words() -> Vec<(&'static str, Colour)> {
-    let structure = STRUCTURE.into_iter();
-    let keywords = structure
-        .chain(ItemWord::all().map(Word::word))
-        .chain(ClauseWord::all().map(Word::word))
-        .chain(LinkClause::all().map(Word::word))
-        .chain(Law::all().map(Word::word));
+    let plain = [WordClass::Item, WordClass::Clause, WordClass::Course];
+    let plain = plain.into_iter().flat_map(words_of_class);
+    let keywords = BLOCKS.into_iter().chain(plain.map(|(word, _)| word));
     let keywords = keywords.map(|word| (word, Colour::Keyword));
     let functions = CalledWord::all().map(|word| (word.word(), Colour::Function));
     keywords.chain(functions).collect()
@@ -99,10 +96,6 @@ fn colour(word: &str, is_called: bool) -> Option<Colour> {
     if is_called && CalledWord::from_word(word).is_some() {
         return Some(Colour::Function);
     }
-    let is_keyword = STRUCTURE.contains(&word)
-        || ItemWord::from_word(word).is_some()
-        || ClauseWord::from_word(word).is_some()
-        || LinkClause::from_word(word).is_some()
-        || Law::from_word(word).is_some();
+    let is_keyword = BLOCKS.contains(&word) || plain_word(word, None).is_some();
     is_keyword.then_some(Colour::Keyword)
 }

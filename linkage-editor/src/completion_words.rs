@@ -1,7 +1,11 @@
 //! The words that each part of a text can have.
 
-use linkage_language::model::{Function, Law, LengthUnit, MotionLawWord, Repeating, SplineWord};
-use linkage_language::syntax::{ClauseWord, DeclarationWord, ItemWord, JointKind, Word};
+use linkage_language::model::{
+    Function, Law, LengthUnit, MotionLawWord, Repeating, SplineWord, clauses_of,
+};
+use linkage_language::syntax::{
+    DeclarationWord, ItemWord, JointKind, LinkQuantity, LinkedWord, MarkWord, Word,
+};
 
 use crate::completion_list::{CompletionKind, CompletionList};
 use crate::context::{call_at, path_before};
@@ -67,8 +71,8 @@ fn add_written_members(
         }
     }
     if declared.kind == NameKind::Link {
-        for word in ["length", "angle"] {
-            found.add(word, CompletionKind::Member, String::new(), "");
+        for word in [LinkQuantity::Length, LinkQuantity::Angle] {
+            found.add_words([word].into_iter(), CompletionKind::Member);
         }
     }
 }
@@ -105,20 +109,10 @@ pub(crate) fn add_inside(
             found.add_words(JointKind::all(), CompletionKind::Keyword);
         }
         Some(ItemWord::Declaration(DeclarationWord::Input)) => {
-            found.add(
-                "in",
-                CompletionKind::Keyword,
-                "in LOW..HIGH".to_owned(),
-                "The range in which the mechanism must work.",
-            );
+            found.add_words([MarkWord::In].into_iter(), CompletionKind::Keyword);
         }
         Some(ItemWord::Declaration(DeclarationWord::Loop)) => {
-            found.add(
-                "redundant",
-                CompletionKind::Keyword,
-                String::new(),
-                "The equation follows from the others.",
-            );
+            found.add_words([MarkWord::Redundant].into_iter(), CompletionKind::Keyword);
         }
         Some(
             ItemWord::Declaration(_) | ItemWord::Joint(_) | ItemWord::Load(_) | ItemWord::Linked(_),
@@ -127,14 +121,14 @@ pub(crate) fn add_inside(
     }
     add_names(document, found, outline, |_| true);
     add_functions(document, found, start);
-    if has_clauses(word) {
-        found.add_words(ClauseWord::all(), CompletionKind::Keyword);
-        found.add(
-            "frame",
-            CompletionKind::Keyword,
-            String::new(),
-            "The link that does not move.",
-        );
+    let item = ItemWord::from_word(word);
+    if let Some(vocabulary) = item.and_then(clauses_of) {
+        for (word, meaning) in vocabulary.rows() {
+            found.add(word, CompletionKind::Keyword, String::new(), meaning);
+        }
+    }
+    if item.is_some_and(names_bodies) {
+        add_frame(found, outline);
     }
 }
 
@@ -218,13 +212,31 @@ fn is_valued(word: &str) -> bool {
     )
 }
 
-/// Returns true for the word of an item with clauses.
-fn has_clauses(word: &str) -> bool {
-    match ItemWord::from_word(word) {
-        Some(ItemWord::Declaration(
-            DeclarationWord::Body | DeclarationWord::Part | DeclarationWord::Input,
-        ))
-        | Some(ItemWord::Joint(_) | ItemWord::Load(_) | ItemWord::Linked(_)) => true,
-        Some(ItemWord::Declaration(_)) | None => false,
+/// Adds the fixed link in place of the function with this name.
+fn add_frame(found: &mut CompletionList, outline: &Outline) {
+    let frame = MarkWord::Frame;
+    let is_function = |kind: CompletionKind| kind == CompletionKind::Function;
+    found
+        .words
+        .retain(|word| word.label != frame.word() || !is_function(word.kind));
+    if outline.find(frame.word()).is_none() {
+        found.add_words([frame].into_iter(), CompletionKind::Keyword);
+    }
+}
+
+/// Returns true for an item that names bodies or links, the frame among them.
+fn names_bodies(word: ItemWord) -> bool {
+    match word {
+        ItemWord::Declaration(DeclarationWord::Body | DeclarationWord::Part)
+        | ItemWord::Joint(_)
+        | ItemWord::Load(_)
+        | ItemWord::Linked(
+            LinkedWord::Link
+            | LinkedWord::Slider
+            | LinkedWord::Gears
+            | LinkedWord::Belt
+            | LinkedWord::Weld,
+        ) => true,
+        ItemWord::Declaration(_) | ItemWord::Linked(LinkedWord::Joint) => false,
     }
 }

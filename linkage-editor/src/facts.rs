@@ -12,6 +12,8 @@ pub(crate) struct Facts {
     pub(crate) names: BTreeMap<String, Fact>,
     /// The inputs, in order.
     pub(crate) inputs: Vec<String>,
+    /// The joints of each link, in order.
+    pub(crate) joints_of: BTreeMap<String, Vec<String>>,
 }
 
 /// The type of a name.
@@ -53,6 +55,10 @@ impl Facts {
             mechanism: mechanism.name.clone(),
             names,
             inputs: inputs.collect(),
+            joints_of: mechanism
+                .links
+                .as_ref()
+                .map_or_else(BTreeMap::new, |links| links.members.clone()),
         }
     }
 }

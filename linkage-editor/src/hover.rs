@@ -2,13 +2,14 @@
 
 use std::ops::Range;
 
-use linkage_language::model::{Ends, Function, Law, MotionLawWord, QuantityWord};
-use linkage_language::syntax::{ClauseWord, ItemWord, Word, first_spelling, unit_description};
+use linkage_language::model::{Function, MotionLawWord, QuantityWord, plain_word};
+use linkage_language::syntax::{ItemWord, LinkQuantity, Word, first_spelling, unit_description};
 
 use crate::computed::Age;
-use crate::context::{next_solid, path_at};
+use crate::context::{Region, next_solid, path_at, region};
 use crate::declaration::NameKind;
 use crate::document::Document;
+use crate::facts::Facts;
 use crate::lexer::Kind;
 use crate::shown;
 use crate::signature::{call_of_function, call_of_quantity};
@@ -45,8 +46,12 @@ fn word_described(document: &Document, offset: usize) -> Option<Hover> {
         Kind::Word => match quantity_of_link(document, index) {
             Some((range, markdown)) => (range, markdown),
             None => {
-                let is_called = next_solid(document, index) == "(";
-                (token.range.clone(), word(text, is_called)?)
+                let item = item_around(document, token.range.start);
+                // `force (fx, fy)` at the beginning of an item is no call.
+                let begins_item = item.as_deref() == Some("");
+                let is_called = !begins_item && next_solid(document, index) == "(";
+                let item = item.and_then(|word| ItemWord::from_word(&word));
+                (token.range.clone(), word(text, is_called, item)?)
             }
         },
         Kind::Number => {
@@ -57,6 +62,18 @@ fn word_described(document: &Document, offset: usize) -> Option<Hover> {
         _ => return None,
     };
     Some(Hover { range, markdown })
+}
+
+/// Returns the first word of the item of the struct block that contains a byte, an empty one at its
+/// beginning.
+fn item_around(document: &Document, offset: usize) -> Option<String> {
+    match region(document, offset) {
+        Region::Item => Some(String::new()),
+        Region::Inside(_, word) => Some(word),
+        Region::Outside | Region::Implementation | Region::Arguments(_) | Region::Quantities(_) => {
+            None
+        }
+    }
 }
 
 /// Describes `coupler.length` at the word `length`.
@@ -83,6 +100,11 @@ fn name_described(document: &Document, found: &Use) -> String {
             let head = format!("{} `{name}`{ty}", kind.word());
             let mut lines = value_described(document, mechanism, name, &head);
             lines += &effort(document, mechanism, name, kind);
+            if let (NameKind::Link | NameKind::Slider, Some(facts)) =
+                (kind, document.facts(mechanism))
+            {
+                lines += &link_described(document, facts, name);
+            }
             lines
         }
         Symbol::Function(..) | Symbol::Field(..) | Symbol::Mechanism(_) => {
@@ -122,6 +144,26 @@ fn value_described(document: &Document, mechanism: &str, name: &str, head: &str)
     lines
 }
 
+/// Returns lines about a link: its joints, and its quantities at the reference.
+fn link_described(document: &Document, facts: &Facts, name: &str) -> String {
+    let mut lines = String::new();
+    if let Some(joints) = facts.joints_of.get(name) {
+        let noun = if joints.len() == 1 { "joint" } else { "joints" };
+        lines += &format!("\n\n{} {noun}: `{}`", joints.len(), joints.join("`, `"));
+    }
+    let Some(values) = document.values(&facts.mechanism) else {
+        return lines;
+    };
+    for quantity in LinkQuantity::all() {
+        let quantity = format!("{name}.{}", quantity.word());
+        if let Some(value) = values.names.get(&quantity) {
+            let reference = shown::short(value);
+            lines += &format!("\n\n`{quantity}` is `{reference}` at the reference");
+        }
+    }
+    lines
+}
+
 /// Returns a line about the operations that a name costs.
 fn effort(document: &Document, mechanism: &str, name: &str, kind: NameKind) -> String {
     let cost = match kind.has_cost() {
@@ -131,8 +173,8 @@ fn effort(document: &Document, mechanism: &str, name: &str, kind: NameKind) -> S
     cost.map_or_else(String::new, |cost| format!("\n\noperations: {cost}"))
 }
 
-/// Describes a word of the language.
-fn word(text: &str, is_called: bool) -> Option<String> {
+/// Describes a word of the language in an item that begins with another word.
+fn word(text: &str, is_called: bool, item: Option<ItemWord>) -> Option<String> {
     if is_called {
         let called = Function::from_word(text)
             .map(|word| (call_of_function(word), word.description()))
@@ -148,13 +190,8 @@ fn word(text: &str, is_called: bool) -> Option<String> {
             return Some(format!("`{call}`\n\n{description}"));
         }
     }
-    let description = ItemWord::from_word(text)
-        .map(Word::description)
-        .or_else(|| ClauseWord::from_word(text).map(Word::description))
-        .or_else(|| Law::from_word(text).map(Word::description))
-        .or_else(|| Ends::from_word(text).map(Word::description));
-    match description {
-        Some(description) => Some(format!("`{text}`\n\n{description}")),
+    match plain_word(text, item) {
+        Some((_, description)) => Some(format!("`{text}`\n\n{description}")),
         None if text == "PI" => Some("`PI`\n\nHalf a turn, 3.14159...".to_owned()),
         None => unit(text),
     }

@@ -42,6 +42,7 @@ mod formatter;
 mod hints;
 mod hover;
 mod lexer;
+mod loop_terms;
 mod moved;
 mod name_values;
 mod navigation;

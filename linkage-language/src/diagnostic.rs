@@ -6,25 +6,15 @@ use proc_macro2::{Ident, TokenStream};
 use quote::{quote, quote_spanned};
 
 mod origin;
+mod sorted;
 mod suggestion;
 pub mod text;
 
 pub use origin::SourceSpan;
 pub use origin::{OriginId, Origins};
+pub use sorted::Section;
+use sorted::Sorted;
 pub use suggestion::{Message, Suggestion};
-
-/// The key by which messages are sorted, whenever they are found.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub enum Section {
-    /// The text, the dimensions, the loops and the assembly at the reference.
-    Mechanism,
-    /// Bodies and joints.
-    Bodies,
-    /// Functions and pictures.
-    Functions,
-    /// Declared ranges and redundant loops.
-    Ranges,
-}
 
 /// The sink of phases without spans, whose messages have the spans of [`OriginId`]s.
 #[derive(Debug)]
@@ -104,8 +94,7 @@ impl<'a> Reporter<'a> {
         help: impl Display,
     ) -> &mut Message {
         let span = self.origins.span(origin);
-        let message = Message::new(span, &format!("{fact}\nhelp: {help}"));
-        self.diagnostics.warnings.insert(self.section, message)
+        self.diagnostics.warning_in(self.section, span, fact, help)
     }
 
     /// Returns the span from one origin to another.
@@ -133,32 +122,6 @@ impl<'a> Reporter<'a> {
     }
 }
 
-/// Messages sorted by section, in the order in which they were found within one.
-#[derive(Clone, Debug, Default)]
-struct Sorted(Vec<(Section, Message)>);
-
-impl Sorted {
-    fn insert(&mut self, section: Section, message: Message) -> &mut Message {
-        let end = self.0.partition_point(|(other, _)| *other <= section);
-        self.0.insert(end, (section, message));
-        &mut self.0[end].1
-    }
-
-    fn append(&mut self, other: Self) {
-        for (section, message) in other.0 {
-            self.insert(section, message);
-        }
-    }
-
-    fn iter(&self) -> impl Iterator<Item = &Message> {
-        self.0.iter().map(|(_, message)| message)
-    }
-
-    fn into_messages(self) -> Vec<Message> {
-        self.0.into_iter().map(|(_, message)| message).collect()
-    }
-}
-
 /// The number of messages at some moment, while all are of the first section.
 #[derive(Clone, Copy, Debug)]
 pub struct Mark {
@@ -167,21 +130,23 @@ pub struct Mark {
 }
 
 /// The sink of all phases.
-#[derive(Debug, Default)]
+#[derive(Clone, Debug, Default)]
 pub struct Diagnostics {
     mistakes: Sorted,
     warnings: Sorted,
 }
 
 impl Diagnostics {
-    fn mark(&self) -> Mark {
+    /// Returns the number of messages, for [`rewind`](Self::rewind).
+    pub(crate) fn mark(&self) -> Mark {
         Mark {
             mistakes: self.mistakes.0.len(),
             warnings: self.warnings.0.len(),
         }
     }
 
-    fn rewind(&mut self, mark: Mark) {
+    /// Removes the messages that were reported after `mark`.
+    pub(crate) fn rewind(&mut self, mark: Mark) {
         self.mistakes.0.truncate(mark.mistakes);
         self.warnings.0.truncate(mark.warnings);
     }
@@ -211,10 +176,39 @@ impl Diagnostics {
         self.error(span, format!("{fact}\nhelp: {help}"))
     }
 
+    /// Adds a warning, which is printed if there is no mistake.
+    pub fn warning_with_help(
+        &mut self,
+        span: SourceSpan,
+        fact: impl Display,
+        help: impl Display,
+    ) -> &mut Message {
+        self.warning_in(Section::Mechanism, span, fact, help)
+    }
+
+    fn warning_in(
+        &mut self,
+        section: Section,
+        span: SourceSpan,
+        fact: impl Display,
+        help: impl Display,
+    ) -> &mut Message {
+        let message = Message::new(span, &format!("{fact}\nhelp: {help}"));
+        self.warnings.insert(section, message)
+    }
+
     /// Adds the messages of another sink after those of this one.
     pub fn append(&mut self, other: Diagnostics) {
         self.mistakes.append(other.mistakes);
         self.warnings.append(other.warnings);
+    }
+
+    /// Moves all warnings to another sink.
+    pub fn take_warnings(&mut self) -> Diagnostics {
+        Diagnostics {
+            mistakes: Sorted::default(),
+            warnings: std::mem::take(&mut self.warnings),
+        }
     }
 
     /// True without a mistake.

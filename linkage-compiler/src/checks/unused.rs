@@ -30,12 +30,15 @@ pub(crate) fn warn_of_unused(mechanism: &Mechanism, nominal: &Nominal, reporter:
         let values = &nominal.parameters[first_scalar.0..][..tolerances.len()];
         let value = MessageFormat::new(mechanism).value(ty, values);
         let links = mechanism.links.as_ref();
+        if links.is_some_and(|links| links.pivots.contains(name)) {
+            continue;
+        }
         let (fact, help) = match links.and_then(|links| links.moved.get(name)) {
             Some(joint) => (
                 format!(
                     "the {joint} at {value} has no effect: no other joint and no function needs it"
                 ),
-                "this is right for the pivot of a link of one joint; otherwise name it in another link",
+                "name it in another link, or leave it out",
             ),
             None => (
                 format!(

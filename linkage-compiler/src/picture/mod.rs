@@ -107,7 +107,13 @@ pub(crate) fn find<'m>(
         reporter.error_with_help(
             asked.origin,
             "links cannot be told from what stretches: the mechanism closes at none of the other positions looked at",
-            "check the ranges of the inputs",
+            match algebra.mechanism.inputs.iter().find(|input| input.range.is_none()) {
+                Some(input) => format!(
+                    "give the input a range in which the links close: `input {} = ... in LOW..HIGH;`",
+                    input.name
+                ),
+                None => "check the ranges of the inputs".to_owned(),
+            },
         );
         return FoundPicture::default();
     }

@@ -9,10 +9,6 @@ use crate::model::{LinkInventory, LinkLoop, Mechanism, unknown_frames};
 use crate::structure::equations::{Coordinate, Equation};
 use crate::structure::fault::OURS;
 
-/// The advice for a mechanism that lacks its input and nothing else.
-const DRIVE: &str = "drive one of them by an input: declare `input phi = 60deg in 0deg..360deg;`, \
-                     and write `at phi` at the end of its link";
-
 /// The links and joints of a mechanism whose loops stand for nothing else.
 pub(crate) struct LinkCount<'m> {
     mechanism: &'m Mechanism,
@@ -92,29 +88,47 @@ impl LinkCount<'_> {
             [_] => "still moves",
             _ => "still move",
         };
-        let hold = match (&moved[..], surplus) {
+        let fact = match surplus {
+            1.. => "more motions than inputs",
+            _ => "links that move freely, and others that are held too often",
+        };
+        format!(
+            "{fact}: {}; {} {still}\nhelp: {}",
+            self.mobility(),
+            listed(&moved),
+            self.hold(&moved, surplus),
+        )
+    }
+
+    /// Returns the advice for links that too few joints hold.
+    fn hold(&self, moved: &[String], surplus: isize) -> String {
+        let hold = match (moved, surplus) {
             ([one], _) => format!("hold {one}"),
             (_, 1) => "hold one of them".to_owned(),
-            _ => format!("hold {surplus} of these motions"),
+            (_, 2..) => format!("hold {surplus} of these motions"),
+            _ => "hold them".to_owned(),
         };
         let (further, drive) = if self.inventory.spatial {
             ("a further link", "an angle of its hinge: `at ANGLE`")
         } else {
             (
-                "a further link or slider, `weld` two links",
+                "a further link or slider, by `gears` or `weld`",
                 "its direction: `at ANGLE`",
             )
         };
-        let is_without_input = surplus == 1 && self.inventory.driven.is_empty();
-        let help = match is_without_input && !self.inventory.spatial {
-            true => DRIVE.to_owned(),
-            false => format!("{hold} by {further}, or give a link {drive}"),
-        };
-        format!(
-            "more motions than inputs: {}; {} {still}\nhelp: {help}",
-            self.mobility(),
-            listed(&moved),
-        )
+        let inputs = self.mechanism.inputs.iter();
+        let inputs: Vec<String> = inputs.map(|input| input.name.clone()).collect();
+        match &inputs[..] {
+            [] if surplus == 1 => format!(
+                "declare an input, as in `input phi = 60deg in 0deg..360deg;`, and give a link {}; or {hold} by {further}",
+                drive.replace("ANGLE", "phi")
+            ),
+            [input] if self.inventory.driven.is_empty() && surplus == 1 => format!(
+                "`{input}` drives no link: give one {}; or {hold} by {further}",
+                drive.replace("ANGLE", input)
+            ),
+            _ => format!("{hold} by {further}, or give a link {drive}"),
+        }
     }
 
     /// Returns the text about joints that hold what others hold. `fact` has more about the loop.
@@ -128,8 +142,15 @@ impl LinkCount<'_> {
         let joint = loop_names(self.mechanism, &equation.loops);
         let surplus = driven - self.inventory.mobility();
         format!(
-            "more joints than motions: {}; {joint} holds {}{fact}",
+            "more joints than motions: {}; {joint} {} {}{fact}",
             self.mobility(),
+            match &self.mechanism.loops[equation.loops[0]].of {
+                Some(LinkLoop::Wheels(_)) => "hold",
+                Some(LinkLoop::Joint { .. } | LinkLoop::Rod { .. } | LinkLoop::Slider(_))
+                | None => {
+                    "holds"
+                }
+            },
             match &self.moved(contained)[..] {
                 [] => "links whose motion is given already".to_owned(),
                 moved if surplus == 1 => format!("{} once too often", listed(moved)),
@@ -152,6 +173,13 @@ impl LinkCount<'_> {
             }
             None => String::new(),
         };
+        let ends = self.ends_of(equation).filter(|_| driven.len() < 2);
+        let slide = match ends.filter(|_| !spatial) {
+            Some(_) => format!(
+                "{slide}; a strut whose length is free holds nothing: write it as `spring` or `damper`"
+            ),
+            None => slide,
+        };
         match &driven[..] {
             [] => format!("leave {link} or another one out{slide}"),
             [one] => format!("leave {link} out, do not drive `{one}`{slide}"),
@@ -160,6 +188,15 @@ impl LinkCount<'_> {
                 quoted(several)
             ),
             several => format!("leave {link} out, do not drive {}{slide}", quoted(several)),
+        }
+    }
+
+    /// Returns the ends of the link of two joints that a loop stands for.
+    fn ends_of(&self, equation: &Equation) -> Option<&[String; 2]> {
+        match self.mechanism.loops[equation.loops[0]].of.as_ref()? {
+            LinkLoop::Joint { ends, .. } => ends.as_ref(),
+            LinkLoop::Rod { ends, .. } => Some(ends),
+            LinkLoop::Slider(_) | LinkLoop::Wheels(_) => None,
         }
     }
 

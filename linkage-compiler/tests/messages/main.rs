@@ -33,8 +33,9 @@ use case_file::{Case, CaseFile};
 use difference::difference;
 use rendering::rendered;
 
-const PHASES: [&str; 6] = [
+const PHASES: [&str; 7] = [
     "syntax",
+    "links",
     "model",
     "structure",
     "formulate",
@@ -91,6 +92,11 @@ fn check(phase: &str) {
 #[test]
 fn syntax() {
     check("syntax");
+}
+
+#[test]
+fn links() {
+    check("links");
 }
 
 #[test]

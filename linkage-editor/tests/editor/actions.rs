@@ -139,3 +139,59 @@ fn the_direction_of_a_driven_link_that_is_drawn() {
     );
     assert!(text.contains("input phi = 59.999"), "{text}");
 }
+
+/// A loop without an unknown takes a link of unknown angle and length.
+#[test]
+fn a_loop_gets_its_missing_term() {
+    let text = "pub struct Closed {
+    unit mm;
+    param a = (0mm, 0mm);
+    param b = (30mm, 40mm);
+    input phi = 30deg in 0deg..360deg;
+    loop a = b;
+}
+impl Closed { pub fn f(phi) -> F { x: polar(10mm, phi) } }
+";
+    let mut document = Document::new("closed.mech", text);
+    let fix = offered(
+        &document,
+        "loop a",
+        "add a link with unknown angle and length",
+    );
+    let is_open = |document: &Document| {
+        let mut all = document.diagnostics().iter();
+        all.any(|diagnostic| diagnostic.message.contains("contains no unknown"))
+    };
+    assert!(is_open(&document));
+    changed(&mut document, &fix);
+    assert!(!is_open(&document), "{}", document.text());
+    let lines =
+        "unknown theta = 0deg;\n    unknown length = 10mm;\n    loop a = b + polar(length, theta);";
+    assert!(document.text().contains(lines), "{}", document.text());
+}
+
+/// One change gives all coordinates their unit.
+#[test]
+fn coordinates_get_their_unit() {
+    let text = "pub struct Drawn {
+    unit mm;
+    input phi = 60deg in 0deg..360deg;
+    joint a = (0, 0), d = (140, 0);
+    joint b = (25, 43.30127), c = (115, 96.8);
+    link frame: a, d;
+    link crank: a, b at phi;
+    link coupler: b, c;
+    link rocker: d, c;
+}
+impl Drawn { pub fn f(phi) -> F { c } }
+";
+    let mended = mended(
+        Document::new("drawn.mech", text),
+        "(0, 0), d",
+        "write `mm` after each number",
+    );
+    assert!(
+        mended.contains("joint b = (25mm, 43.30127mm), c = (115mm, 96.8mm);"),
+        "{mended}"
+    );
+}

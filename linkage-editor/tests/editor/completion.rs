@@ -99,3 +99,36 @@ fn nothing_within_comments() {
     let slider = template("slider");
     assert!(labels(&slider, after(&slider, "// A slider")).is_empty());
 }
+
+/// A four-bar with a slider, as joints and links.
+const LINKS: &str = "pub struct Drawn {
+    unit mm;
+    input phi = 60deg in 0deg..360deg;
+    joint a = (0mm, 0mm), d = (140mm, 0mm);
+    joint b = (25mm, 43.3mm), c = (115mm, 96.8mm);
+    link frame: a, d;
+    link crank: a, b at phi;
+    link coupler: b, c ;
+    link rocker: d, c;
+    slider s: c on rocker ;
+}
+";
+
+#[test]
+fn clauses_of_links_and_sliders() {
+    let document = Document::new("links.mech", LINKS);
+    let found = labels(&document, after(&document, "link coupler: b, c "));
+    has(&found, &["at", "length", "about", "mass", "a", "frame"]);
+    has_not(&found, &["through", "teeth", "turns"]);
+    let found = labels(&document, after(&document, "slider s: c on rocker "));
+    has(
+        &found,
+        &["along", "through", "around", "radius", "block", "at"],
+    );
+    has_not(&found, &["mass", "teeth"]);
+    for place in ["link coupler: b, c ", "slider s: c on rocker "] {
+        let found = labels(&document, after(&document, place));
+        let frames = found.iter().filter(|label| *label == "frame");
+        assert_eq!(frames.count(), 1, "{found:?}");
+    }
+}

@@ -63,3 +63,67 @@ fn values_stay_while_the_text_has_mistakes() {
     assert!(found.contains("before the last mistakes"), "{found}");
     assert!(slider.hints().is_empty());
 }
+
+/// Words of links have the meaning that the item gives them.
+#[test]
+fn links_and_their_words_are_described() {
+    let text = "pub struct Drawn {
+    unit mm;
+    argument load = 1N;
+    input phi = 60deg in 0deg..360deg;
+    joint a = (0mm, 0mm), d = (140mm, 0mm);
+    joint b = (25mm, 43.30127mm), c = (115mm, 96.8mm), tracer = (85mm, 110mm);
+    joint e = (25mm, -40mm), f = (100mm, -40mm);
+    link frame: a, d, e, f;
+    link crank: a, b at phi;
+    link coupler: b, c, tracer;
+    link rocker: d, c length 100mm;
+    joint g = (60mm, -40mm);
+    link rod: b, g;
+    slider s: g on frame along e, f block rod;
+    force (0N, -load) on coupler at tracer;
+    let course = spline(phi, [(0deg, 0), (90deg, 1), (180deg, 0)], quintic);
+}
+";
+    let document = Document::new("links.mech", text);
+    for (place, pieces) in [
+        (
+            "link coupler",
+            &["link `coupler`", "3 joints: `b`, `c`, `tracer`"][..],
+        ),
+        ("d, c length", &["distance of the first two joints"]),
+        ("along e, f block", &["does not turn in the slot"]),
+        ("    force", &["A force on a body at a point."]),
+        ("crank: a, b at", &["direction from the first joint"]),
+        ("0)], quintic", &["Four derivatives"]),
+    ] {
+        let found = described(&document, place);
+        for piece in pieces {
+            assert!(found.contains(piece), "{place}: {piece} in {found}");
+        }
+    }
+}
+
+#[test]
+fn quantities_of_a_link_are_in_its_description() {
+    let text = "pub struct Drawn {
+    unit mm;
+    input phi = 60deg in 0deg..360deg;
+    joint a = (0mm, 0mm), d = (140mm, 0mm);
+    joint b = (25mm, 43.30127mm), c = (115mm, 96.8mm);
+    link frame: a, d;
+    link crank: a, b at phi;
+    link coupler: b, c;
+    link rocker: d, c length 100mm;
+}
+";
+    let document = Document::new("links.mech", text);
+    let found = described(&document, "link rocker");
+    for piece in [
+        "2 joints: `d`, `c`",
+        "`rocker.length` is `100mm` at the reference",
+        "`rocker.angle` is `104.",
+    ] {
+        assert!(found.contains(piece), "{piece} in {found}");
+    }
+}

@@ -22,10 +22,8 @@ pub struct Message {
 pub struct Suggestion {
     /// The change in a few words, as in a menu.
     pub title: String,
-    /// The words that are replaced.
-    pub span: SourceSpan,
-    /// The text instead of them.
-    pub replacement: String,
+    /// Words that are replaced, each with the text instead of it.
+    pub edits: Vec<(SourceSpan, String)>,
 }
 
 impl Message {
@@ -46,10 +44,12 @@ impl Message {
         span: SourceSpan,
         replacement: impl Into<String>,
     ) {
-        self.suggestions.push(Suggestion {
-            title: title.into(),
-            span,
-            replacement: replacement.into(),
-        });
+        self.suggest_all(title, vec![(span, replacement.into())]);
+    }
+
+    /// Adds a change in several places, which do not overlap.
+    pub fn suggest_all(&mut self, title: impl Into<String>, edits: Vec<(SourceSpan, String)>) {
+        let title = title.into();
+        self.suggestions.push(Suggestion { title, edits });
     }
 }

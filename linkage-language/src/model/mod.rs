@@ -22,6 +22,7 @@ mod tests;
 mod types;
 mod units;
 pub mod unknown_frames;
+mod word_list;
 
 pub use dump::model::dump;
 pub use generated::{ASSEMBLY, COLUMNS, FOLLOWER, METHODS_OF_FOLLOWER, Sweep, TYPE_PARAMETER};
@@ -30,3 +31,4 @@ pub use links::{expand, read};
 pub use resolve::resolve;
 pub use types::*;
 pub use types::{COMPONENTS, Shape};
+pub use word_list::{WordClass, WordRow, clauses_of, plain_word, words_of_class};

@@ -11,7 +11,7 @@ use super::link_elements::LinkElements;
 use super::link_inventory::{LinkInventory, LinkLoop};
 use super::linked_tree::LinkedItem;
 use super::mechanics_tree::{BodyItem, ElementItem, JointItem, LoadItem, Member};
-use crate::diagnostic::SourceSpan;
+use crate::diagnostic::{Diagnostics, SourceSpan};
 
 /// One mechanism of the macro's input: its struct block and its `impl` blocks.
 #[derive(Debug)]
@@ -27,6 +27,10 @@ pub struct MechanismDef {
     pub links: Option<LinkInventory>,
     /// The links and wheels among these.
     pub link_elements: LinkElements,
+    /// Warnings about joints and links.
+    pub warnings: Diagnostics,
+    /// True after a mistake in joints and links: their bodies and quantities are unknown.
+    pub links_are_lost: bool,
 }
 
 impl MechanismDef {

@@ -291,6 +291,7 @@ impl Display for LinkedItem {
             LinkedItem::Slider(item) => show!(f, item),
             LinkedItem::Gears(item) | LinkedItem::Belt(item) => show!(f, item),
             LinkedItem::Weld(item) => list(f, "", &item.links, ""),
+            LinkedItem::Lost(item) => list(f, "", &item.names, ""),
         }
     }
 }

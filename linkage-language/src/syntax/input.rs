@@ -103,6 +103,9 @@ impl Parser<'_> {
         if word || self.stream.is_punct(0, ',') && !self.at_decimal_comma() || bracket {
             return self.expected(WANTED, HELP);
         }
+        if self.at_end_of_clauses() {
+            return self.expected(WANTED, HELP);
+        }
         self.unexpected_after_expression(WANTED)
     }
 

@@ -7,14 +7,11 @@ use super::expression::PlusMinus;
 use super::expression_tree::{Expr, Toleranced};
 use super::item_name::ItemName;
 use super::joints::{Kind, other_word};
-use super::keyword::{ClauseWord, DeclarationWord, ItemWord, JointKind, LoadWord};
+use super::keyword::{ClauseWord, DeclarationWord, ItemWord, LoadWord, MarkWord};
 use super::parser::{Parsed, Parser};
 use super::vocabulary::Word;
 use crate::diagnostic::SourceSpan;
 use crate::diagnostic::text::nearest;
-
-/// The word after a loop that follows from the others.
-const REDUNDANT: &str = "redundant";
 
 impl Parser<'_> {
     /// All items up to the end of the block; those that cannot be read are reported and left out.
@@ -49,9 +46,19 @@ impl Parser<'_> {
         }
     }
 
-    /// The item, and whether its end has been reached.
+    /// The item, and whether its end has been reached. A misspelt word is reported, and the item read
+    /// as the one that is meant, without further messages.
     fn item_after(&mut self, attributes: Vec<Attribute>) -> Parsed<(Item, bool)> {
-        let word = self.item_word()?;
+        let (word, is_meant) = self.item_word()?;
+        let mark = self.diagnostics.mark();
+        let item = self.item_of_word(word, attributes);
+        if is_meant {
+            self.diagnostics.rewind(mark);
+        }
+        item
+    }
+
+    fn item_of_word(&mut self, word: ItemWord, attributes: Vec<Attribute>) -> Parsed<(Item, bool)> {
         let start = self.stream.span();
         self.stream.skip(1);
         if word != ItemWord::Declaration(DeclarationWord::Param) {
@@ -61,8 +68,8 @@ impl Parser<'_> {
             ItemWord::Declaration(word) => self.declaration(word, attributes, start),
             ItemWord::Joint(kind) => self.joint_item(Kind { kind, span: start }),
             ItemWord::Linked(word) => {
-                let item = Item::Linked(self.linked_item(word, start)?);
-                Ok((item, self.end_of_item().is_ok()))
+                let (item, complete) = self.linked_item(word, start)?;
+                Ok((Item::Linked(item), complete))
             }
             ItemWord::Load(word) => {
                 let item = match word {
@@ -166,13 +173,15 @@ impl Parser<'_> {
         Ok(ItemName::of_link(name, quantity))
     }
 
-    fn item_word(&mut self) -> Parsed<ItemWord> {
+    /// Returns the word of the item that begins here. The flag is true for a word that is only near to
+    /// it, which has been reported.
+    fn item_word(&mut self) -> Parsed<(ItemWord, bool)> {
         let listed = || format!("items are {}", ItemWord::listed());
         let Some(word) = self.stream.ident(0).map(ToString::to_string) else {
             return self.expected("an item", &listed());
         };
         if let Some(item) = ItemWord::from_word(&word) {
-            return Ok(item);
+            return Ok((item, false));
         }
         let help = match word.as_str() {
             "fn" => "functions belong in the `impl` block after the struct".to_owned(),
@@ -180,12 +189,21 @@ impl Parser<'_> {
                 "a clause belongs before the `;` of its body, joint or load".to_owned()
             }
             "pub" => "leave `pub` out: every `param` is a public field".to_owned(),
+            "frame" | "ground" => {
+                "the fixed link is written `link frame: joint, joint;`".to_owned()
+            }
             _ => {
-                let joint = other_word(&word).map(JointKind::word);
-                match joint.or_else(|| nearest(&word, ItemWord::all().map(ItemWord::word))) {
-                    Some(item) => format!("did you mean `{item}`?"),
-                    None => listed(),
-                }
+                let joint = other_word(&word).map(ItemWord::Joint);
+                let near = || nearest(&word, ItemWord::all().map(ItemWord::word));
+                let Some(meant) = joint.or_else(|| ItemWord::from_word(near()?)) else {
+                    return self.expected("an item", &listed());
+                };
+                let (span, meant_word) = (self.stream.span(), meant.word());
+                let fact = format!("expected an item, found {}", self.found());
+                let help = format!("did you mean `{meant_word}`?");
+                let message = self.diagnostics.error_with_help(span, fact, help);
+                message.suggest(format!("write `{meant_word}`"), span, meant_word);
+                return Ok((meant, true));
             }
         };
         self.expected("an item", &help)
@@ -254,11 +272,14 @@ impl Parser<'_> {
         let right = self.expression()?;
         let span = start.to(right.span);
         let word = self.stream.ident(0).map(ToString::to_string);
-        let redundant = self.stream.eat_word(REDUNDANT);
+        let redundant = self.stream.eat_word(MarkWord::Redundant.word());
         if let Some(word) = word.filter(|_| !redundant)
-            && nearest(&word, [REDUNDANT]).is_some()
+            && nearest(&word, [MarkWord::Redundant.word()]).is_some()
         {
-            return self.expected("`;`", &format!("did you mean `{REDUNDANT}`?"));
+            return self.expected(
+                "`;`",
+                &format!("did you mean `{}`?", MarkWord::Redundant.word()),
+            );
         }
         Ok(LoopItem {
             redundant,

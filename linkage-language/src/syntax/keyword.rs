@@ -103,6 +103,18 @@ vocabulary! {
 }
 
 vocabulary! {
+    /// Words within items that begin no clause.
+    pub enum MarkWord {
+        /// The range in which the mechanism must work, as in `in LOW..HIGH`.
+        In = "in",
+        /// The equation follows from the others.
+        Redundant = "redundant",
+        /// The link that does not move.
+        Frame = "frame",
+    }
+}
+
+vocabulary! {
     /// The kind of a joint: the motions that it permits.
     pub enum JointKind {
         /// A joint about which two bodies turn.

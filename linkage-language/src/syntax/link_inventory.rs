@@ -1,7 +1,7 @@
 //! The facts about joints and links that stay known when loops have taken their place. Messages name
 //! links and joints by them.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::{self, Display, Formatter};
 
 /// The links and joints of a mechanism that is written with them.
@@ -19,8 +19,21 @@ pub struct LinkInventory {
     pub driven: Vec<String>,
     /// The link, slider or joint that an unknown moves, by the first part of the unknown's name.
     pub moved: BTreeMap<String, String>,
+    /// The joints of each link, in their order.
+    pub members: BTreeMap<String, Vec<String>>,
+    /// The joints of links that have no other one: pivots of wheels and blocks.
+    pub pivots: BTreeSet<String>,
+    /// Messages about names of joints and links that are no joints of forces.
+    pub reactions: BTreeMap<String, ReactionHint>,
     /// The drawn distances in metres of links with a given length, by the name of the length.
     pub drawn_lengths: BTreeMap<String, f64>,
+}
+
+/// A message about a joint or link that has no reaction of this name.
+#[derive(Clone, Debug)]
+pub struct ReactionHint {
+    pub fact: String,
+    pub help: String,
 }
 
 /// A kind of joint.

@@ -6,45 +6,32 @@ use super::expression::PlusMinus;
 use super::expression_tree::{Expr, ExprKind, Toleranced};
 use super::keyword::LinkedWord;
 use super::linked_tree::{
-    DrawnJoint, LinkItem, LinkJoint, LinkedItem, SlidePath, SliderItem, WeldItem, WheelsItem,
+    DrawnJoint, LinkItem, LinkJoint, LinkedItem, LostItem, WeldItem, WheelsItem,
 };
+use super::linked_words::{LinkClause, SliderWord, WheelsWord, is_word_of_links};
 use super::mechanics_tree::{InertiaPart, MassPart};
-use super::parser::{Parsed, Parser};
-use super::vocabulary::{Word, vocabulary};
+use super::parser::{Parsed, Parser, Reported};
+use super::vocabulary::Word;
 use crate::diagnostic::SourceSpan;
 use crate::diagnostic::text::{list, nearest};
 
-vocabulary! {
-    /// The word that a clause of a link begins with.
-    pub enum LinkClause {
-        /// The direction from the first joint to the second.
-        At = "at",
-        /// The distance of the first two joints.
-        Length = "length",
-        /// The axis of a hinge in space.
-        About = "about",
-        /// A mass at a point.
-        Mass = "mass",
-        /// A moment of inertia.
-        Inertia = "inertia",
-    }
-}
-
-/// Names of clauses and quantities of links.
-const LINK_WORDS: [&str; 8] = [
-    "about", "angle", "at", "inertia", "length", "mass", "radius", "start",
-];
-
-const LINK: &str = "link NAME: joint, joint";
-const SLIDER: &str = "slider NAME: joint on LINK along joint, joint";
-
 impl Parser<'_> {
-    /// An item after its word, which `start` is the place of.
+    /// Reads an item after its word, which `start` is the place of. The flag is true if its end has
+    /// been reached. After a mistake, the names of the item are kept.
     pub(super) fn linked_item(
         &mut self,
         word: LinkedWord,
         start: SourceSpan,
-    ) -> Parsed<LinkedItem> {
+    ) -> Parsed<(LinkedItem, bool)> {
+        let names = self.declared_ahead(word);
+        match self.sound_item(word, start) {
+            Ok(item) => Ok((item, self.end_of_item().is_ok())),
+            Err(reported) if names.is_empty() => Err(reported),
+            Err(_) => Ok((LinkedItem::Lost(LostItem { word, names }), false)),
+        }
+    }
+
+    fn sound_item(&mut self, word: LinkedWord, start: SourceSpan) -> Parsed<LinkedItem> {
         Ok(match word {
             LinkedWord::Joint => LinkedItem::Joints(self.drawn_joints()?),
             LinkedWord::Link => LinkedItem::Link(self.link()?),
@@ -55,34 +42,85 @@ impl Parser<'_> {
         })
     }
 
+    /// Returns the names that an item declares, whatever is wrong with the rest of it.
+    fn declared_ahead(&self, word: LinkedWord) -> Vec<Ident> {
+        match word {
+            LinkedWord::Link | LinkedWord::Slider => {
+                self.stream.ident(0).cloned().into_iter().collect()
+            }
+            LinkedWord::Joint => {
+                let tokens = (0..).take_while(|ahead| {
+                    self.stream.peek(*ahead).is_some() && !self.stream.is_punct(*ahead, ';')
+                });
+                let begins = |ahead: &usize| *ahead == 0 || self.stream.is_punct(*ahead - 1, ',');
+                let names = tokens.filter(begins).filter_map(|ahead| {
+                    let named = ahead == 0 || self.stream.is_punct(ahead + 1, '=');
+                    self.stream.ident(ahead).filter(|_| named).cloned()
+                });
+                names.collect()
+            }
+            LinkedWord::Gears | LinkedWord::Belt | LinkedWord::Weld => Vec::new(),
+        }
+    }
+
     /// `NAME = (x, y), NAME = (x, y), ...`
     fn drawn_joints(&mut self) -> Parsed<Vec<DrawnJoint>> {
         let mut joints = Vec::new();
         loop {
             let name = self.name("a name after `joint`")?;
-            if LINK_WORDS.contains(&name.to_string().as_str()) {
+            if is_word_of_links(&name.to_string()) {
                 let fact = format!("a joint cannot be called `{name}`, which is a word of links");
                 self.diagnostics
                     .error_with_help((&name).into(), fact, "choose another name");
             }
-            self.equals("write where it is drawn: `joint NAME = (x, y);`")?;
+            let form = format!("joint {name} = (x, y);");
+            if self.stream.is_punct(0, ':') {
+                return self.expected_mark("=", &name, &form);
+            }
+            self.equals(&format!("write where it is drawn: `{form}`"))?;
             let position = self.toleranced()?;
-            if let Toleranced::Single { nominal, .. } = &position
-                && matches!(nominal.kind, ExprKind::Number { .. })
-            {
-                let help = format!("write its coordinates: `joint {name} = (x, y);`");
-                return self.fail_at(nominal.span, "a joint is drawn at a point", &help);
-            }
+            self.expect_point(&name, &position)?;
             joints.push(DrawnJoint { name, position });
-            if !self.stream.eat_punct(',') {
-                return Ok(joints);
+            if self.stream.eat_punct(',') {
+                continue;
             }
+            if self.stream.is_punct(1, '=') && !self.at_item() {
+                return self.expected("`,` or `;`", "write `,` between joints");
+            }
+            return Ok(joints);
+        }
+    }
+
+    /// Refuses a position that can be no point.
+    fn expect_point(&mut self, name: &Ident, position: &Toleranced) -> Parsed<()> {
+        let Toleranced::Single { nominal, .. } = position else {
+            return Ok(());
+        };
+        match &nominal.kind {
+            ExprKind::Number { .. } => {
+                let help = format!("write its coordinates: `joint {name} = (x, y);`");
+                self.fail_at(nominal.span, "a joint is drawn at a point", &help)
+            }
+            ExprKind::List(components) => {
+                let written: Vec<String> = components.iter().map(Expr::to_string).collect();
+                let point = format!("({})", written.join(", "));
+                let fact = "a joint is drawn at a point, found a list in brackets";
+                let help = format!("write `{point}`");
+                let message = self.diagnostics.error_with_help(nominal.span, fact, &help);
+                message.suggest(help, nominal.span, point);
+                Err(Reported)
+            }
+            _ => Ok(()),
         }
     }
 
     fn link(&mut self) -> Parsed<LinkItem> {
         let name = self.name("a name after `link`")?;
-        self.colon(&name, LINK)?;
+        if self.stream.is_punct(0, ',') {
+            let help = format!("a link has a name before its joints: `link NAME: {name}, ...;`");
+            return self.expected(&format!("`:` after `{name}`"), &help);
+        }
+        self.colon(&name, &format!("link {name}: joint, joint;"))?;
         let mut link = LinkItem {
             name,
             joints: vec![self.link_joint()?],
@@ -133,6 +171,7 @@ impl Parser<'_> {
             return self.fail(fact, "a link has one");
         }
         self.stream.skip(1);
+        self.no_equals(clause.word())?;
         match clause {
             LinkClause::At => link.at = Some(self.sum(PlusMinus::JointIsMistake)?),
             LinkClause::Length => link.length = Some(self.toleranced()?),
@@ -166,75 +205,32 @@ impl Parser<'_> {
     fn not_a_clause<T>(&mut self) -> Parsed<T> {
         let words: Vec<&str> = LinkClause::all().map(LinkClause::word).collect();
         let word = self.stream.ident(0).map(ToString::to_string);
-        let near = word.and_then(|word| nearest(&word, words.iter().copied()));
-        let help = match near {
-            Some(word) => format!("did you mean `{word}`?"),
+        let word = word.unwrap_or_default();
+        let before = self.stream.previous().map(ToString::to_string);
+        let follows_joint = !is_word_of_links(&word)
+            && self.stream.ident(0).is_some()
+            && (self.stream.is_punct(1, ',')
+                || self.stream.is_punct(1, ';')
+                || self.stream.ident(1).is_some());
+        let help = match nearest(&word, words.iter().copied()) {
+            Some(near) => format!("did you mean `{near}`?"),
+            None if SliderWord::from_word(&word).is_some() => format!(
+                "`{word}` is a word of sliders: `{}`; clauses of a link are {}",
+                super::sliders::FORM,
+                list(&words)
+            ),
+            None if WheelsWord::from_word(&word).is_some() => {
+                format!(
+                    "`{word}` is a word of `gears` and `belt`: `gears LINK, LINK teeth 20, 40;`"
+                )
+            }
+            None if follows_joint => format!(
+                "write `,` between joints: `{}, {word}`",
+                before.unwrap_or_default()
+            ),
             None => format!("clauses of a link are {}", list(&words)),
         };
         self.expected("`,` and a joint, a clause or `;`", &help)
-    }
-
-    fn slider(&mut self) -> Parsed<SliderItem> {
-        let name = self.name("a name after `slider`")?;
-        self.colon(&name, SLIDER)?;
-        let pin = self.name("the name of the joint that slides")?;
-        self.word("on", SLIDER)?;
-        let guide = self.name("the link that the joint slides on")?;
-        let path = self.slide_path()?;
-        let mut slider = SliderItem {
-            name,
-            pin,
-            guide,
-            path,
-            block: None,
-            at: None,
-        };
-        loop {
-            self.stream.eat_punct(',');
-            if self.at_end_of_clauses() {
-                return Ok(slider);
-            }
-            if slider.block.is_none() && self.stream.eat_word("block") {
-                slider.block = Some(self.name("the link that does not turn in the guide")?);
-            } else if slider.at.is_none() && self.stream.eat_word("at") {
-                slider.at = Some(self.sum(PlusMinus::JointIsMistake)?);
-            } else {
-                let help = "clauses of a slider are `block LINK` and `at POSITION`";
-                return self.expected("a clause or `;`", help);
-            }
-        }
-    }
-
-    fn slide_path(&mut self) -> Parsed<SlidePath> {
-        if self.stream.eat_word("around") {
-            let centre = self.name("the joint in the middle of the arc")?;
-            self.stream.eat_punct(',');
-            let given = self.stream.eat_word("radius");
-            let radius = if given {
-                Some(self.toleranced()?)
-            } else {
-                None
-            };
-            return Ok(SlidePath::Arc { centre, radius });
-        }
-        if !self.stream.eat_word("along") {
-            let help = format!("write `{SLIDER}`, `... along ANGLE` or `... around joint`");
-            return self.expected("`along` or `around`", &help);
-        }
-        if self.stream.ident(0).is_some() && self.stream.is_punct(1, ',') {
-            let first = self.name("a joint of the guide")?;
-            self.stream.skip(1);
-            let second = self.name("a second joint of the guide")?;
-            return Ok(SlidePath::Line([first, second]));
-        }
-        let angle = self.sum(PlusMinus::JointIsMistake)?;
-        let given = self.stream.eat_word("through");
-        let through = if given {
-            Some(self.name("a joint of the guide")?)
-        } else {
-            None
-        };
-        Ok(SlidePath::Direction { angle, through })
     }
 
     /// `LINK, LINK [on LINK] teeth a, b`
@@ -244,19 +240,23 @@ impl Parser<'_> {
         let first = self.name(&format!("the name of a link after `{word}`"))?;
         self.comma(&form)?;
         let second = self.name("the name of the other link")?;
-        let given = self.stream.eat_word("on");
+        let given = self.stream.eat_word(WheelsWord::On.word());
         let carrier = if given {
             Some(self.name("the link that carries the pivots")?)
         } else {
             None
         };
         self.stream.eat_punct(',');
-        if !self.stream.eat_word("teeth") && !self.stream.eat_word("radii") {
+        let sizes = [WheelsWord::Teeth, WheelsWord::Radii];
+        if !sizes.iter().any(|size| self.stream.eat_word(size.word())) {
             let help = format!("write `{form}`, or `radii 10mm, 20mm`");
             return self.expected("`teeth` or `radii`", &help);
         }
         let one = self.sum(PlusMinus::JointIsMistake)?;
-        self.comma(&form)?;
+        if !self.stream.eat_punct(',') {
+            let help = format!("write both sizes: `{word} {first}, {second} teeth 20, 40;`");
+            return self.expected("`,` and the size of the other wheel", &help);
+        }
         let other = self.sum(PlusMinus::JointIsMistake)?;
         Ok(WheelsItem {
             wheels: [first, second],
@@ -278,24 +278,10 @@ impl Parser<'_> {
         Ok(WeldItem { links })
     }
 
-    fn colon(&mut self, name: &Ident, form: &str) -> Parsed<()> {
-        if self.stream.eat_punct(':') {
-            return Ok(());
-        }
-        self.expected(&format!("`:` after `{name}`"), &format!("write `{form}`"))
-    }
-
     fn comma(&mut self, form: &str) -> Parsed<()> {
         if self.stream.eat_punct(',') {
             return Ok(());
         }
         self.expected("`,`", &format!("write `{form}`"))
-    }
-
-    fn word(&mut self, word: &str, form: &str) -> Parsed<()> {
-        if self.stream.eat_word(word) {
-            return Ok(());
-        }
-        self.expected(&format!("`{word}`"), &format!("write `{form}`"))
     }
 }

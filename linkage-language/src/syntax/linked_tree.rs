@@ -17,6 +17,15 @@ pub enum LinkedItem {
     /// `belt a, b`: both wheels turn in the same direction.
     Belt(WheelsItem),
     Weld(WeldItem),
+    /// An item that could not be read; a mistake has been reported.
+    Lost(LostItem),
+}
+
+/// The names that an item declares which could not be read otherwise.
+#[derive(Debug)]
+pub struct LostItem {
+    pub word: LinkedWord,
+    pub names: Vec<Ident>,
 }
 
 /// `NAME = (x, y)` after `joint`.
@@ -104,6 +113,7 @@ impl LinkedItem {
             LinkedItem::Gears(_) => LinkedWord::Gears,
             LinkedItem::Belt(_) => LinkedWord::Belt,
             LinkedItem::Weld(_) => LinkedWord::Weld,
+            LinkedItem::Lost(item) => item.word,
         }
     }
 }

@@ -74,6 +74,8 @@ impl Parser<'_> {
             functions: Vec::new(),
             links: None,
             link_elements: LinkElements::default(),
+            warnings: Diagnostics::default(),
+            links_are_lost: false,
         };
         let body = self.braces(&definition.name.to_string());
         let items = body.map(|group| self.within(&group, |parser| parser.items()));

@@ -17,6 +17,7 @@ mod link_elements;
 mod link_inventory;
 mod linked;
 mod linked_tree;
+mod linked_words;
 mod literal;
 mod loads;
 mod mechanics_tree;
@@ -27,6 +28,7 @@ mod parser;
 mod part;
 mod power;
 mod recovery;
+mod sliders;
 mod spelling;
 mod stream;
 #[cfg(test)]
@@ -41,12 +43,12 @@ pub use dump::dump;
 pub use expression_tree::*;
 pub use item_name::ItemName;
 pub use keyword::{
-    ClauseWord, DeclarationWord, ItemWord, JointKind, LinkedWord, LoadWord, is_keyword,
+    ClauseWord, DeclarationWord, ItemWord, JointKind, LinkedWord, LoadWord, MarkWord, is_keyword,
 };
 pub use link_elements::*;
 pub use link_inventory::*;
-pub use linked::LinkClause;
 pub use linked_tree::*;
+pub use linked_words::{LinkClause, LinkQuantity, SliderWord, WheelsWord};
 pub use mechanics_tree::*;
 pub use mechanism_blocks::parse;
 pub use mechanism_text::{item_text, mechanism_text};
@@ -55,5 +57,5 @@ pub use units::{
     Scale, UnitOfMeasure, find_unit, first_spelling, is_meant_as_unit, is_unit, unit_description,
     unit_names,
 };
-pub use vocabulary::Word;
 pub(crate) use vocabulary::vocabulary;
+pub use vocabulary::{Vocabulary, Word};

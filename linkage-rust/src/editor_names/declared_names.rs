@@ -2,7 +2,8 @@
 
 use linkage_language::model::{Mechanism, Type};
 use linkage_language::syntax::{
-    Attribute, BodyItem, Item, ItemName, LinkedItem, MechanismDef, documentation, item_text,
+    Attribute, BodyItem, Item, ItemName, LinkedItem, LinkedWord, MechanismDef, documentation,
+    item_text,
 };
 use proc_macro2::{Ident, Span, TokenStream};
 use quote::{format_ident, quote};
@@ -208,6 +209,16 @@ fn of_linked(item: &LinkedItem) -> Vec<(ItemName, Kind)> {
         }
         LinkedItem::Link(item) => vec![(item.name.clone().into(), Kind::Link)],
         LinkedItem::Slider(item) => vec![(item.name.clone().into(), Kind::Link)],
+        LinkedItem::Lost(item) => {
+            let kind = || match item.word {
+                LinkedWord::Link | LinkedWord::Slider => Kind::Link,
+                LinkedWord::Joint | LinkedWord::Gears | LinkedWord::Belt | LinkedWord::Weld => {
+                    Kind::Value
+                }
+            };
+            let names = item.names.iter();
+            names.map(|name| (name.clone().into(), kind())).collect()
+        }
         LinkedItem::Gears(_) | LinkedItem::Belt(_) | LinkedItem::Weld(_) => Vec::new(),
     }
 }

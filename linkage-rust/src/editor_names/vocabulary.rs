@@ -3,27 +3,14 @@
 
 use std::collections::BTreeSet;
 
-use linkage_language::model::{CalledWord, Law, Repeating, SplineWord};
-use linkage_language::syntax::{ClauseWord, ItemWord, Word};
+use linkage_language::model::{CalledWord, plain_word};
+use linkage_language::syntax::Word;
 use proc_macro2::{Ident, Span, TokenStream};
 use quote::{format_ident, quote};
 
-/// Returns a word of items, of clauses or of laws of motion.
+/// Returns a word of items, of clauses or of courses.
 pub(super) fn word(word: &str) -> Option<&'static str> {
-    described(word).map(|(word, _)| word)
-}
-
-/// Returns the word with its meaning.
-fn described(word: &str) -> Option<(&'static str, &'static str)> {
-    row::<ItemWord>(word)
-        .or_else(|| row::<ClauseWord>(word))
-        .or_else(|| row::<Law>(word))
-        .or_else(|| row::<SplineWord>(word))
-        .or_else(|| row::<Repeating>(word))
-}
-
-fn row<W: Word>(word: &str) -> Option<(&'static str, &'static str)> {
-    W::from_word(word).map(|word| (word.word(), word.description()))
+    plain_word(word, None).map(|(word, _)| word)
 }
 
 /// A word as a name of Rust, where it is written.
@@ -34,7 +21,7 @@ pub(super) fn raw(word: &Ident) -> Ident {
 /// The type whose fields are these words.
 pub(super) fn words(holder: &Ident, words: &BTreeSet<&str>) -> TokenStream {
     let fields = words.iter().filter_map(|word| {
-        let (_, meaning) = described(word)?;
+        let (_, meaning) = plain_word(word, None)?;
         let field = Ident::new_raw(word, Span::call_site());
         Some(quote!(#[doc = #meaning] #field: (),))
     });

@@ -6,7 +6,7 @@ use quote::{format_ident, quote};
 
 use super::programs;
 use linkage_compiler::ir::{CompiledMechanism, Group, Input, Parameter, Scalar, Unknown};
-use linkage_language::diagnostic::{OriginId, SourceSpan};
+use linkage_language::diagnostic::{Diagnostics, OriginId, SourceSpan};
 use linkage_language::model::{
     self, Dimension, LengthUnit, Mechanism, ScalarParameterId, Shape, Type,
 };
@@ -176,6 +176,8 @@ fn def() -> MechanismDef {
         ],
         links: None,
         link_elements: syntax::LinkElements::default(),
+        warnings: Diagnostics::default(),
+        links_are_lost: false,
     }
 }
 

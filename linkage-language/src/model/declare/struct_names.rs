@@ -6,7 +6,7 @@ use crate::model::expression::refused_names::{check_new_name, check_reserved};
 use crate::model::library::Source;
 use crate::model::symbols::assumed_units::AssumedUnits;
 use crate::model::symbols::declared_names::{Names, Symbol};
-use crate::model::symbols::member_names::MemberNames;
+use crate::model::symbols::member_names::{LinkNames, MemberNames};
 use crate::model::symbols::part_scopes::Parts;
 use crate::model::symbols::scope::Scope;
 use crate::model::symbols::sink::Sink;
@@ -25,6 +25,7 @@ pub(in crate::model) fn declare_names(source: &Source, zeros: Zeros, sink: &mut 
         units: AssumedUnits::new(zeros),
     };
     let definition = source.definition;
+    scope.members.links = LinkNames::new(definition);
     check_reserved(sink, &definition.name);
     let mut counts = Counts::new(&definition.items);
     let mut parts = source.parts.iter();

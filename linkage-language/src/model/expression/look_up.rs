@@ -2,6 +2,7 @@
 
 use proc_macro2::Ident;
 
+use super::link_messages::refuse_lonely_link;
 use super::part_messages::refuse_lonely_part;
 use super::refused_names::refuse_unknown_name;
 use crate::model::symbols::scope::Scope;
@@ -24,6 +25,9 @@ pub(in crate::model) fn look_up_name(
         }
         if text == "PI" {
             return Some((Name::Pi, Type::NUMBER));
+        }
+        if refuse_lonely_link(&scope.parts, &scope.members.links, sink, ident) {
+            return None;
         }
         refuse_unknown_name(&scope.names, &scope.members, sink, ident, Some(context));
         return None;

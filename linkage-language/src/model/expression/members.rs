@@ -17,7 +17,7 @@ pub(in crate::model) fn find_body(
     if text == FRAME {
         return Some(None);
     }
-    if parts.is_broken_part(&text) {
+    if parts.is_broken_part(&text) || members.links.lost {
         return None;
     }
     let fact = match members.by_name.get(&text) {
@@ -43,12 +43,18 @@ pub(in crate::model) fn find_joint(
     name: &Named,
 ) -> Option<usize> {
     let text = name.text.clone();
-    if parts.is_broken_part(&text) {
+    if parts.is_broken_part(&text) || members.links.lost {
         return None;
     }
     let found = members.by_name.get(&text).map(|(member, _)| *member);
+    if let Some(Member::Joint(joint)) = found {
+        return Some(joint);
+    }
+    if let Some(hint) = members.links.reactions.get(&text) {
+        sink.error_with_help(name.span, &hint.fact, &hint.help);
+        return None;
+    }
     let fact = match found {
-        Some(Member::Joint(joint)) => return Some(joint),
         Some(_) => format!("`{text}` is a body, not a joint"),
         None => format!("unknown joint `{text}`"),
     };

@@ -13,6 +13,7 @@ pub(super) mod frame_items;
 pub(super) mod frame_parts;
 pub(super) mod function_types;
 pub(super) mod hidden_unit;
+pub(super) mod link_messages;
 pub(super) mod literal;
 pub(super) mod look_up;
 pub(super) mod members;

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use proc_macro2::Ident;
 
-use super::linkage::{FRAME, Linkage};
+use super::linkage::Linkage;
 use super::nodes::{difference, name};
 use crate::syntax::{
     BinaryOp, Expr, ExprKind, Item, LinkedItem, MechanismDef, Toleranced, find_unit,
@@ -120,6 +120,12 @@ impl Drawing {
         is_constant(&self.values, expr)
     }
 
+    /// Returns what a name is at the reference.
+    pub(super) fn value(&self, name: &str) -> Option<&Expr> {
+        let values = &self.values;
+        values.constants.get(name).or(values.others.get(name))
+    }
+
     /// Returns an expression with the values that parameters and inputs have at the reference.
     pub(super) fn at_reference(&self, expr: &Expr) -> Expr {
         at_reference(&self.values, expr, DEPTH)
@@ -136,7 +142,9 @@ impl Drawing {
     /// Returns the number of an angle in radians, if it has one.
     pub(super) fn angle(&self, expr: &Expr) -> Option<f64> {
         let is_angle = |expr: &Expr| match &expr.kind {
-            ExprKind::Number { suffix, .. } => find_unit(suffix).is_some_and(|unit| unit.angle),
+            ExprKind::Number { suffix, .. } => {
+                find_unit(suffix).is_some_and(|unit| unit.angle && unit.seconds == 0)
+            }
             _ => true,
         };
         is_angle(expr).then(|| self.number(expr)).flatten()
@@ -173,9 +181,7 @@ impl Drawing {
             }
             ExprKind::Name(name) => {
                 let text = name.to_string();
-                let values = &self.values;
-                let value = values.constants.get(&text).or(values.others.get(&text));
-                match value {
+                match self.value(&text) {
                     Some(value) => self.evaluate(value, depth)?,
                     None if text == "PI" => vec![std::f64::consts::PI],
                     None => return None,
@@ -283,22 +289,4 @@ fn at_reference(values: &Values, expr: &Expr, depth: usize) -> Expr {
         kind,
         span: expr.span,
     }
-}
-
-/// Returns true if all joints of a linkage that are drawn have three coordinates.
-pub(super) fn is_spatial(linkage: &Linkage) -> bool {
-    let mut drawn = linkage.joints.iter().filter_map(|joint| joint.drawn);
-    let count = |value: &Toleranced| match value {
-        Toleranced::Single { nominal, .. } => match &nominal.kind {
-            ExprKind::Tuple(components) => components.len(),
-            _ => 2,
-        },
-        Toleranced::Components { components, .. } => components.len(),
-    };
-    drawn.any(|position| count(position) == 3)
-}
-
-/// Returns true for a joint of the frame, or a point whose position is known.
-pub(super) fn is_fixed(linkage: &Linkage, joint: usize) -> bool {
-    linkage.links[FRAME].joints.contains(&joint) || linkage.joints[joint].drawn.is_none()
 }

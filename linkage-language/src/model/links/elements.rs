@@ -2,8 +2,8 @@
 
 use proc_macro2::Ident;
 
-use super::drawing::{Drawing, is_spatial};
-use super::linkage::{FRAME, Linkage, Wheels};
+use super::drawing::Drawing;
+use super::linkage::{FRAME, Linkage, Wheels, is_spatial};
 use super::locations::{angle, is_cylinder, point};
 use super::rigid_bodies::Bodies;
 use super::wheels;

@@ -1,16 +1,22 @@
 //! The inventory of joints and links for messages: numbers of links and joints, and the names that
 //! unknowns stand for.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
-use super::drawing::{Drawing, is_fixed, is_spatial};
-use super::linkage::{FRAME, Linkage};
+use super::drawing::Drawing;
+use super::linkage::{FRAME, Linkage, is_fixed, is_spatial};
 use super::locations::is_cylinder;
+use super::reaction_hints::reaction_hints;
 use super::rigid_bodies::Bodies;
-use crate::syntax::{JointCount, LinkInventory, LinkLoop};
+use crate::syntax::{Item, JointCount, LinkInventory, LinkLoop};
 
-/// Returns the inventory of a linkage.
-pub(super) fn inventory(linkage: &Linkage, bodies: &Bodies, drawing: &Drawing) -> LinkInventory {
+/// Returns the inventory of a linkage, which stands for these items.
+pub(super) fn inventory(
+    linkage: &Linkage,
+    bodies: &Bodies,
+    drawing: &Drawing,
+    items: &[Item],
+) -> LinkInventory {
     let spatial = is_spatial(linkage);
     let cylinders = cylinders(linkage, drawing);
     let (links, mut joints) = if spatial {
@@ -34,6 +40,9 @@ pub(super) fn inventory(linkage: &Linkage, bodies: &Bodies, drawing: &Drawing) -
         idle: if spatial { rods.count() } else { 0 },
         driven: driven(linkage, cylinders),
         moved: moved(linkage),
+        members: members(linkage),
+        pivots: pivots(linkage),
+        reactions: reaction_hints(linkage, drawing, items),
         drawn_lengths: drawn_lengths(linkage, drawing),
     }
 }
@@ -114,6 +123,27 @@ fn moved(linkage: &Linkage) -> BTreeMap<String, String> {
         (name, text)
     });
     joints.chain(sliders).chain(links).collect()
+}
+
+/// Returns the joints of each link.
+fn members(linkage: &Linkage) -> BTreeMap<String, Vec<String>> {
+    let links = linkage.links.iter();
+    let links = links.map(|link| {
+        let joints = link.joints.iter();
+        let joints = joints.map(|joint| linkage.joints[*joint].name.to_string());
+        (link.name.to_string(), joints.collect())
+    });
+    links.collect()
+}
+
+/// Returns the joints of links that have no other one.
+fn pivots(linkage: &Linkage) -> BTreeSet<String> {
+    let links = linkage.links[FRAME + 1..].iter();
+    let pivots = links.filter_map(|link| match link.joints[..] {
+        [joint] => Some(linkage.joints[joint].name.to_string()),
+        _ => None,
+    });
+    pivots.collect()
 }
 
 /// Returns the drawn distance in metres for each length that is given otherwise.

@@ -1,23 +1,27 @@
 //! The items that joints and links become.
 
-use super::drawing::{DRAWN_APART, Drawing, is_spatial, nominal};
+use super::drawing::{DRAWN_APART, Drawing, nominal};
+use super::driven_angles::check_angle;
 use super::inventory::closed_joint;
-use super::linkage::{FRAME, Linkage};
+use super::linkage::{FRAME, Linkage, is_spatial};
 use super::locations::{self, angle, angle_of_line, drawn_angle, point, position};
 use super::nodes::{call, difference, equation, negative, number, sum};
 use super::order::{AngleOf, Step, plan};
+use super::printed::rounded;
 use super::rigid_bodies::Bodies;
 use super::sheet::Sheet;
 use super::slides::{
     along, drawn_direction, drawn_in_slot, drawn_position, guide, leads_on, point_in_slot,
     slot_angle, slot_on_body, start_item, start_joint,
 };
-use super::{curved_slots, drawn_faults, mechanics, space, wheels};
+use super::{
+    curved_slots, drawn_faults, frame_faults, mechanics, mixed_coordinates, space, wheels,
+    written_measures,
+};
 use crate::diagnostic::Diagnostics;
 use crate::model::types::Function;
 use crate::syntax::{
-    Expr, ExprKind, Item, ItemName, LinkLoop, MechanismDef, NamedItem, ParamItem, Toleranced,
-    UnknownItem,
+    Expr, Item, ItemName, LinkLoop, MechanismDef, NamedItem, ParamItem, Toleranced, UnknownItem,
 };
 
 /// Returns the items that joints and links stand for.
@@ -28,11 +32,15 @@ pub(super) fn items(
     drawing: &Drawing,
     diagnostics: &mut Diagnostics,
 ) -> Vec<Item> {
+    mixed_coordinates::report(linkage, diagnostics);
+    if diagnostics.is_empty() {
+        written_measures::report(definition, linkage, drawing, diagnostics);
+    }
+    frame_faults::report_missing_frame(linkage, diagnostics);
+    if !diagnostics.is_empty() {
+        return Vec::new();
+    }
     if is_spatial(linkage) {
-        drawn_faults::refuse_mixed_coordinates(linkage, diagnostics);
-        if !diagnostics.is_empty() {
-            return Vec::new();
-        }
         let fixed = fixed_joints(linkage, &linkage.links[FRAME].joints, drawing, diagnostics);
         return space::items(linkage, drawing, fixed, diagnostics);
     }
@@ -44,6 +52,9 @@ pub(super) fn items(
         drawing,
         plan: &plan,
     };
+    if !diagnostics.is_empty() {
+        return Vec::new();
+    }
     drawn_faults::report(&sheet, diagnostics);
     let mut items = fixed_joints(linkage, &bodies.list[FRAME].joints, drawing, diagnostics);
     items.extend(angles_of_the_frame(&sheet));
@@ -244,7 +255,7 @@ fn write_angles(
             value,
         }),
         None if !needs_angle => {
-            let fact = format!("the link `{name}` has one joint, and nothing tells how it turns");
+            let fact = format!("the link `{name}` has one joint, and nothing gives its direction");
             let help = "name a second joint, or `at` an angle";
             diagnostics.error_with_help(name.into(), fact, help);
             return;
@@ -368,61 +379,6 @@ fn write_position(
             Item::Let(NamedItem { name, value })
         }
     });
-}
-
-/// Compares the given angle of a link with its drawing.
-fn check_angle(sheet: &Sheet, link: usize, at: &Expr, diagnostics: &mut Diagnostics) {
-    let Sheet {
-        linkage, drawing, ..
-    } = *sheet;
-    let item = &linkage.links[link];
-    let written = drawing.at_reference(at);
-    let reference = drawing.angle(&written);
-    let vector = drawing.vector(item.joints[0], item.joints[1]);
-    let drawn = vector.and_then(|vector| drawing.coordinates(&vector));
-    let (Some(reference), Some([x, y])) = (reference, drawn) else {
-        return;
-    };
-    let drawn = y.atan2(x);
-    let turn = std::f64::consts::TAU;
-    let apart = (reference - drawn).rem_euclid(turn);
-    if apart.min(turn - apart) > DRAWN_APART {
-        let [reference, drawn] = [reference, drawn].map(|angle| rounded(angle.to_degrees()));
-        if drawing.is_constant(at) {
-            let fact = format!(
-                "`{}` is drawn at {drawn} deg, but `at` holds it at {reference} deg",
-                item.name
-            );
-            let help = "draw it there; a link that moves has an input after `at`, or no `at`";
-            diagnostics.error_with_help((&item.name).into(), fact, help);
-            return;
-        }
-        let fact = format!(
-            "`{}` is drawn at {drawn} deg, but its input is {reference} deg at the reference",
-            item.name
-        );
-        let help = match at.kind {
-            ExprKind::Name(_) => {
-                format!("write `{drawn}deg` as the reference of the input, or draw the link there")
-            }
-            _ => "change the reference of the input, or draw the link there".to_owned(),
-        };
-        let message = diagnostics.error_with_help((&item.name).into(), fact, help);
-        let is_number = matches!(written.kind, ExprKind::Number { .. });
-        if matches!(at.kind, ExprKind::Name(_)) && is_number {
-            let angle = format!("{drawn}deg");
-            message.suggest(
-                format!("write `{angle}` as the reference"),
-                written.span,
-                angle,
-            );
-        }
-    }
-}
-
-/// A number with six digits after the point at most.
-fn rounded(value: f64) -> f64 {
-    (value * 1e6).round() / 1e6
 }
 
 fn let_joint(linkage: &Linkage, joint: usize, value: Expr) -> Item {

@@ -2,7 +2,7 @@
 
 use proc_macro2::Ident;
 
-use crate::syntax::{Expr, InertiaPart, MassPart, Toleranced};
+use crate::syntax::{Expr, ExprKind, InertiaPart, MassPart, Toleranced};
 
 /// The number of the frame, among links and among bodies.
 pub(super) const FRAME: usize = 0;
@@ -86,4 +86,22 @@ pub(super) struct Wheels<'a> {
     /// True for outer gears.
     pub(super) reverses: bool,
     pub(super) item: &'a crate::syntax::WheelsItem,
+}
+
+/// Returns true if all joints of a linkage that are drawn have three coordinates.
+pub(super) fn is_spatial(linkage: &Linkage) -> bool {
+    let mut drawn = linkage.joints.iter().filter_map(|joint| joint.drawn);
+    let count = |value: &Toleranced| match value {
+        Toleranced::Single { nominal, .. } => match &nominal.kind {
+            ExprKind::Tuple(components) => components.len(),
+            _ => 2,
+        },
+        Toleranced::Components { components, .. } => components.len(),
+    };
+    drawn.any(|position| count(position) == 3)
+}
+
+/// Returns true for a joint of the frame, or a point whose position is known.
+pub(super) fn is_fixed(linkage: &Linkage, joint: usize) -> bool {
+    linkage.links[FRAME].joints.contains(&joint) || linkage.joints[joint].drawn.is_none()
 }

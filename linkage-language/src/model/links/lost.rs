@@ -4,6 +4,7 @@ use std::collections::BTreeSet;
 
 use proc_macro2::Ident;
 
+use super::names::FRAME_NAME;
 use super::nodes::ident;
 use crate::syntax::{Expr, Item, ItemName, LinkedItem, MechanismDef, NamedItem};
 
@@ -33,6 +34,11 @@ pub(super) fn items(definition: &MechanismDef) -> Vec<Item> {
                     ItemName::of_link(slider.name.clone(), word)
                 };
                 names.extend(words.map(of_slider));
+            }
+            Item::Linked(LinkedItem::Lost(lost)) => {
+                let is_new = |name: &&Ident| *name != FRAME_NAME;
+                let declared = lost.names.iter().filter(is_new);
+                names.extend(declared.map(|name| ItemName::from(name.clone())));
             }
             // No other item declares names in this way.
             _ => {}

@@ -7,24 +7,34 @@
 
 mod ball_links;
 mod collect;
+mod collect_sliders;
 mod curved_slots;
 mod drawing;
 mod drawn_faults;
+mod driven_angles;
 mod elements;
+mod frame_faults;
 mod inventory;
 mod link_items;
 mod linkage;
 mod locations;
 mod lost;
+mod measure;
 mod mechanics;
+mod mixed_coordinates;
+mod names;
 mod nodes;
 mod order;
+mod printed;
+mod reaction_hints;
 mod rigid_bodies;
 mod sheet;
 mod slides;
 mod space;
 mod space_progress;
+mod wheel_faults;
 mod wheels;
+mod written_measures;
 
 use std::collections::BTreeMap;
 
@@ -75,11 +85,13 @@ fn expand_mechanism(
         let bodies = rigid_bodies::bodies(&linkage);
         let drawing = drawing::drawing(&definition, &linkage);
         items = link_items::items(&definition, &linkage, &bodies, &drawing, diagnostics);
-        links = Some(inventory::inventory(&linkage, &bodies, &drawing));
+        links = Some(inventory::inventory(&linkage, &bodies, &drawing, &items));
         link_elements = elements::elements(&linkage, &bodies, &drawing);
         renamed = mechanics::renamed_bodies(&linkage, &bodies);
     }
-    if !diagnostics.is_empty() {
+    definition.warnings = diagnostics.take_warnings();
+    definition.links_are_lost = !diagnostics.is_empty();
+    if definition.links_are_lost {
         items = lost::items(&definition);
         link_elements = LinkElements::default();
     }

@@ -5,8 +5,9 @@
 //! dyad. In this way points are written from the nearest pivots, and a group is closed before the
 //! next one begins.
 
-use super::drawing::{is_fixed, names};
-use super::linkage::{FRAME, Linkage};
+use super::drawing::names;
+use super::frame_faults::report_unreached;
+use super::linkage::{FRAME, Linkage, is_fixed};
 use super::rigid_bodies::Bodies;
 use super::slides::{guide, in_one_slot, start_joint};
 use crate::diagnostic::Diagnostics;
@@ -96,13 +97,7 @@ pub(super) fn plan(linkage: &Linkage, bodies: &Bodies, diagnostics: &mut Diagnos
         }
         state.close_slides();
     }
-    for body in (0..bodies.list.len()).filter(|body| !state.reached[*body]) {
-        let name = &linkage.links[bodies.list[body].lead()].name;
-        let fact = format!("no way leads from the frame to the link `{name}`");
-        let help = "let it share a joint with a link that leads to the frame, or slide on one; the \
-                    frame has its joints in `link frame: ...;`";
-        diagnostics.error_with_help(name.into(), fact, help);
-    }
+    report_unreached(linkage, bodies, &state.reached, diagnostics);
     state.plan
 }
 

@@ -27,14 +27,9 @@ pub(in crate::model) fn resolve_mechanics_quantity(
     span: SourceSpan,
 ) -> Expr {
     let name = word.word();
-    // The content of a part with a mistake is unknown.
-    if operands
-        .scope
-        .parts
-        .scopes
-        .iter()
-        .any(|part| part.body.is_none())
-    {
+    // The content of a part with a mistake is unknown, as are the bodies that links with one are.
+    let mut parts = operands.scope.parts.scopes.iter();
+    if operands.scope.members.links.lost || parts.any(|part| part.body.is_none()) {
         return error_expr(sink, span);
     }
     if operands.scope.members.bodies == 0 {

@@ -203,7 +203,11 @@ pub(in crate::model) fn resolve_listed_parameters(
 ) -> Option<Vec<ScalarParameterId>> {
     let syntax::ExprKind::List(entries) = &expr.kind else {
         let fact = "expected a list of parameters";
-        let help = "write them in brackets: `[crank, rocker]`";
+        let listed = match &expr.kind {
+            syntax::ExprKind::Name(_) | syntax::ExprKind::Field(..) => format!("[{expr}]"),
+            _ => "[crank, rocker]".to_owned(),
+        };
+        let help = format!("write them in brackets: `{listed}`");
         sink.error_with_help(expr.span, fact, help);
         return None;
     };

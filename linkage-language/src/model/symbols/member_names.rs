@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use crate::diagnostic::SourceSpan;
-use crate::syntax::JointKind;
+use crate::syntax::{JointKind, MechanismDef, ReactionHint};
 
 /// The body or joint that a name is given to.
 #[derive(Clone, Copy, PartialEq, Eq)]
@@ -12,11 +12,37 @@ pub(in crate::model) enum Member {
     Joint(usize),
 }
 
+/// The facts about joints and links that messages about names need.
+#[derive(Default)]
+pub(in crate::model) struct LinkNames {
+    /// True for a mechanism with joints and links.
+    pub(in crate::model) present: bool,
+    /// True after a mistake in them: bodies and quantities of links are unknown.
+    pub(in crate::model) lost: bool,
+    /// The joints of each link.
+    pub(in crate::model) members: BTreeMap<String, Vec<String>>,
+    /// Messages about names that are no joints of forces.
+    pub(in crate::model) reactions: BTreeMap<String, ReactionHint>,
+}
+
+impl LinkNames {
+    pub(in crate::model) fn new(definition: &MechanismDef) -> Self {
+        let inventory = definition.links.as_ref();
+        Self {
+            present: inventory.is_some() || definition.links_are_lost,
+            lost: definition.links_are_lost,
+            members: inventory.map_or_else(BTreeMap::new, |links| links.members.clone()),
+            reactions: inventory.map_or_else(BTreeMap::new, |links| links.reactions.clone()),
+        }
+    }
+}
+
 /// Bodies and joints by their names.
 #[derive(Default)]
 pub(in crate::model) struct MemberNames {
     pub(in crate::model) by_name: BTreeMap<String, (Member, SourceSpan)>,
     pub(in crate::model) bodies: usize,
+    pub(in crate::model) links: LinkNames,
     /// Kinds of all joints: those that bodies are attached by in the order of the bodies, then
     /// those that close loops.
     pub(in crate::model) joints: Vec<JointKind>,

@@ -106,6 +106,16 @@ impl Parts {
             })
     }
 
+    /// Returns the quantities of a link or slider: `coupler.length`. Empty for another name.
+    pub(in crate::model) fn quantities_of(&self, link: &str) -> Vec<&str> {
+        let quantities = self.quantities.iter().map(String::as_str);
+        let of_link = quantities.filter(|name| {
+            let rest = name.strip_prefix(link);
+            rest.is_some_and(|rest| rest.starts_with('.'))
+        });
+        of_link.collect()
+    }
+
     /// Returns true for the name of a part, or of a part of one.
     pub(in crate::model) fn is_part(&self, path: &str) -> bool {
         let (first, rest) = path.split_once('.').unwrap_or((path, ""));

@@ -165,7 +165,7 @@ fn mistakes_in_links() {
                 CRANK,
                 "link coupler: b, c; slider s: c on frame along a, d, at phi, at phi;",
             ],
-            "clauses of a slider are",
+            "a second `at`\nhelp: a slider has one",
         ),
         (
             [
@@ -197,7 +197,7 @@ fn mistakes_in_links() {
                 CRANK,
                 "link coupler: b, c; link rocker: c, d; link disc: d;",
             ],
-            "the link `disc` has one joint, and nothing tells how it turns",
+            "the link `disc` has one joint, and nothing gives its direction",
         ),
         (
             [

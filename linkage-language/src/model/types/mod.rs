@@ -43,7 +43,7 @@ pub use mechanism::{
 };
 pub use mechanism_part::{Leaf, MechanismPart, Placed};
 pub use motion_law::{
-    Ends, HIGHEST_SLOPE, Law, MotionLawKind, Pieces, Repeating, Repeats, SplineWord,
+    Degree, Ends, HIGHEST_SLOPE, Law, MotionLawKind, Pieces, Repeating, Repeats, SplineWord,
 };
 pub use name::{Name, ScalarParameterId, Variable};
 pub(in crate::model) use parts_of_frame::{ANGLE_PART, type_of_part};
