@@ -105,6 +105,26 @@ impl LinkInventory {
     }
 }
 
+impl LinkLoop {
+    /// Returns the same with other names.
+    pub fn renamed(&self, name: impl Fn(&str) -> String) -> Self {
+        let both = |names: &[String; 2]| names.each_ref().map(|text| name(text));
+        match self {
+            LinkLoop::Joint { link, joint, ends } => LinkLoop::Joint {
+                link: name(link),
+                joint: name(joint),
+                ends: ends.as_ref().map(both),
+            },
+            LinkLoop::Rod { link, ends } => LinkLoop::Rod {
+                link: name(link),
+                ends: both(ends),
+            },
+            LinkLoop::Slider(slider) => LinkLoop::Slider(name(slider)),
+            LinkLoop::Wheels(wheels) => LinkLoop::Wheels(both(wheels)),
+        }
+    }
+}
+
 impl Display for LinkLoop {
     fn fmt(&self, f: &mut Formatter) -> fmt::Result {
         match self {

@@ -157,7 +157,10 @@ impl<'p> Embedding<'p> {
             left: self.expr(&equation.left),
             right: self.expr(&equation.right),
             origin: self.origin(equation.origin),
-            of: None,
+            of: equation
+                .of
+                .as_ref()
+                .map(|of| of.renamed(|name| self.text(name))),
         })
     }
 
