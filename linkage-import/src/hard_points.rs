@@ -9,6 +9,7 @@ mod rocker;
 mod roles;
 mod suspension;
 mod text;
+mod travel_input;
 mod wheel_travel;
 
 use std::fmt::Write;
