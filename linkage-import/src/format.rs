@@ -65,7 +65,9 @@ impl Format {
             Self::Pylinkage => "JSON files of pylinkage: positions, no lengths",
             Self::JointTable => "tables of joints: name, kind, x, y, links",
             Self::Mjcf => "models of MuJoCo, with `connect`, `weld` and `joint` equalities",
-            Self::Urdf => "robot descriptions of ROS, with `mimic` or `loop_joint`",
+            Self::Urdf => {
+                "robot descriptions of ROS, with `mimic`, `loop_joint` or a table of closures"
+            }
             Self::Sdf => "models of Gazebo, whose joints may close loops",
             Self::HardPoints => "points of a wheel suspension as CSV or YAML, by roles",
         }

@@ -9,6 +9,7 @@ mod rocker;
 mod roles;
 mod suspension;
 mod text;
+mod travel_input;
 mod wheel_travel;
 
 use std::fmt::Write;
@@ -46,7 +47,7 @@ pub(crate) fn import(content: &[u8], file: &str, options: &Options) -> Result<Im
     let meaning = Meaning::of_options(options)?;
     let points = roles::points(table, &meaning, options)?;
     let suspension = Suspension::new(&points, &meaning)?;
-    let input = suspension.input(&points)?;
+    let input = travel_input::input(&suspension, &points)?;
     let mut warnings = suspension.warnings.clone();
     if !points.others.is_empty() {
         warnings.push(format!("not taken: {}", points.others.join(", ")));

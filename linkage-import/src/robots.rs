@@ -8,6 +8,7 @@ mod attribute_numbers;
 mod chain;
 mod effort;
 mod equations;
+mod input_lines;
 mod input_ranges;
 mod mjcf;
 mod model;

@@ -3,17 +3,11 @@
 use super::axes::Meaning;
 use super::rocker::Rocker;
 use super::roles::Points;
-use super::wheel_travel::{Hold, reach};
+use super::wheel_travel::Hold;
 use crate::drawn::{Drawn, DrawnPoint, Drive, Measure};
 use crate::error::ImportError;
 use crate::number::plain;
-use crate::placement::{Placement, Vector, cross, difference, length};
-
-/// The largest travel that is tried, as a part of the distance from the chassis to the wheel.
-const MOST_TRAVEL: f64 = 0.15;
-
-/// The part of a reach that is left out next to a dead point.
-const BESIDE: f64 = 0.9;
+use crate::placement::{Vector, cross, difference, length};
 
 /// Points of the carrier on one line, as a part of the square of its size, give no axes.
 const FLAT: f64 = 1e-6;
@@ -256,41 +250,6 @@ impl Suspension {
         }
     }
 
-    /// The input, with the range in which the carrier is held.
-    pub(super) fn input(&self, points: &Points) -> Result<String, ImportError> {
-        let inner = points
-            .by_role
-            .values()
-            .map(|point| length(difference(*point, self.centre)));
-        let size = inner.fold(0.0, f64::max);
-        let most = MOST_TRAVEL * size;
-        let most = round_down(most);
-        let found = reach(&self.holds, self.centre, most, size, |placement| {
-            self.rocker
-                .is_none_or(|rocker| rocker.is_reached(placement))
-        });
-        let drawn = Placement::shifted([0.0; 3]);
-        if self.rocker.is_some_and(|rocker| !rocker.is_reached(&drawn)) {
-            return Err(ImportError::new(
-                "the push rod points at the axis of the rocker where it is drawn: a dead point",
-            ));
-        }
-        if found[0] == 0.0 || found[1] == 0.0 {
-            return Err(ImportError::new(
-                "the drawn position is a dead point, or the carrier cannot move: the points do not make a suspension",
-            ));
-        }
-        let ends = [0, 1].map(|end| match found[end].abs() == most {
-            true => found[end],
-            false => found[end].signum() * round_down(BESIDE * found[end].abs()),
-        });
-        let [low, high] = ends.map(|end| self.length(end));
-        Ok(format!(
-            "input travel = 0{} in {low}..{high};    // of the wheel centre, up is bump",
-            self.unit
-        ))
-    }
-
     pub(super) fn length(&self, value: f64) -> String {
         format!("{}{}", plain(value), self.unit)
     }
@@ -299,12 +258,4 @@ impl Suspension {
         let all = point.map(|value| self.length(value));
         format!("({})", all.join(", "))
     }
-}
-
-/// A length with two digits, not above the given one.
-fn round_down(value: f64) -> f64 {
-    let step = 10f64.powf(value.abs().log10().floor() - 1.0);
-    let found = (value / step).floor() * step;
-    // Without the noise of the product.
-    format!("{found:.4e}").parse().unwrap_or(found)
 }

@@ -124,10 +124,11 @@ pub(super) fn following(
         _ => format!("{}/{} * ", plain(rate.abs()), plain(of_leader.abs())),
     };
     let about = head(document, index, &name, &drawn.about);
-    let line = format!(
-        "{about}\n    let {name} = {value} {sign} {ratio}({} - {});",
-        leader.name, leader.value
-    );
+    let change = match leader.value.as_str() {
+        "0deg" => leader.name.clone(),
+        value => format!("({} - {value})", leader.name),
+    };
+    let line = format!("{about}\n    let {name} = {value} {sign} {ratio}{change};");
     Some(Drive {
         name,
         line,

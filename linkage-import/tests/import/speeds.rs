@@ -43,7 +43,7 @@ fn motors_run_by_one_time() {
         "{text}"
     );
     assert!(
-        text.contains("    let phi2 = 90deg - 2.5 * (phi1 - 0deg);\n"),
+        text.contains("    let phi2 = 90deg - 2.5 * phi1;\n"),
         "{text}"
     );
     assert!(

@@ -1,5 +1,7 @@
 //! The table of the joints that close the loops of a URDF.
 
+use std::f64::consts::FRAC_PI_2;
+
 use linkage_engine::Mechanism;
 use linkage_import::{Format, Import, Options, import};
 
@@ -194,7 +196,7 @@ fn a_loop_is_seen_from_the_body_that_carries_it() {
     let assembly = mechanism
         .assemble(&mechanism.dimensions())
         .expect("a robot");
-    for turret in [-2.9, -1.5707963267948966, 0.4, 2.0] {
+    for turret in [-2.9, -FRAC_PI_2, 0.4, 2.0] {
         for [arm, crank] in [[0.0, 0.0], [-0.6, 0.4], [1.1, -0.3], [0.5, 0.9]] {
             let results = assembly.results("motion", &[turret, arm, crank]);
             // The upper arm is parallel to the crank.
@@ -203,7 +205,7 @@ fn a_loop_is_seen_from_the_body_that_carries_it() {
                 (elbow - (crank - arm)).abs() < 1e-12,
                 "{elbow} at {arm}, {crank}"
             );
-            let (sin, cos) = (turret as f64).sin_cos();
+            let (sin, cos) = f64::sin_cos(turret);
             let out = 0.1 + 0.45 * f64::sin(arm) - 0.12 * f64::cos(crank);
             let up = 0.4 + 0.45 * f64::cos(arm) + 0.12 * f64::sin(crank);
             let [x, y, z] = results.vector::<3>("parallelogram_a");

@@ -7,6 +7,12 @@ use linkage_import::{Drawn, Drive, Import, Measure};
 /// Values of an input, besides the drawn one, at which the driven coordinate is compared.
 const VALUES: usize = 8;
 
+/// Larger drawings take minutes to be compiled, and the user of an import waits for seconds.
+const MOST_POINTS: usize = 400;
+
+/// Distances below this part of the size are the rounding of the computation.
+const ROUNDING: f64 = 1e-10;
+
 /// The results of a comparison, one sentence each.
 pub(super) struct Comparison {
     /// How well the drawn pose is met, if it is met.
@@ -18,6 +24,15 @@ pub(super) struct Comparison {
 /// Compiles an imported text, assembles it, and compares it with the drawing.
 pub(super) fn compared(imported: &Import) -> Comparison {
     let drawn = &imported.drawn;
+    let count = drawn.points.len();
+    if count > MOST_POINTS {
+        return Comparison {
+            note: Some(format!(
+                "not compared with the drawing, because it has more than {MOST_POINTS} points: {count}"
+            )),
+            warnings: Vec::new(),
+        };
+    }
     let mechanism = match Mechanism::compile(&imported.text) {
         Ok(mechanism) => mechanism,
         Err(error) => return not_compared(&error.to_string()),
@@ -44,6 +59,10 @@ pub(super) fn compared(imported: &Import) -> Comparison {
                 few_digits(distance)
             );
             (None, vec![warning])
+        }
+        Some((_, distance)) if distance <= ROUNDING * drawn.size() => {
+            let note = "assembled as drawn: all points are where the file has them";
+            (Some(note.to_owned()), Vec::new())
         }
         Some((point, distance)) => {
             let note = format!(
@@ -168,7 +187,10 @@ mod tests {
         let Comparison { note, warnings } = compared(&imported);
         assert_eq!(warnings, [""; 0]);
         let note = note.expect("a note");
-        assert!(note.starts_with("assembled as drawn: `"), "{note}");
+        assert_eq!(
+            note,
+            "assembled as drawn: all points are where the file has them"
+        );
     }
 
     #[test]
@@ -203,5 +225,16 @@ mod tests {
         let Comparison { note, warnings } = edited(";");
         assert_eq!((note, warnings.len()), (None, 1));
         assert!(warnings[0].starts_with("the text cannot be assembled before it is edited"));
+    }
+
+    #[test]
+    fn large_drawings_are_not_compiled() {
+        let mut imported =
+            import(TABLE.as_bytes(), "a.csv", &Options::default()).expect("a mechanism");
+        let point = imported.drawn.points[0].clone();
+        imported.drawn.points.resize(MOST_POINTS + 1, point);
+        let Comparison { note, warnings } = compared(&imported);
+        assert_eq!(warnings, [""; 0]);
+        assert!(note.expect("a note").ends_with("more than 400 points: 401"));
     }
 }
