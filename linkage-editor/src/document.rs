@@ -126,7 +126,12 @@ impl Document {
     /// Returns true if nothing is left to be computed for the present text.
     #[must_use]
     pub fn is_settled(&self) -> bool {
-        self.is_solved && self.age_of_values() != Age::Pending
+        self.is_solved && (!self.has_values() || self.computed.is_latest())
+    }
+
+    /// Returns true if the present text has values: names of Rust files have none.
+    pub(crate) fn has_values(&self) -> bool {
+        self.runs && !self.is_rust()
     }
 
     /// Returns true for a text of the language alone, which can be formatted.

@@ -104,8 +104,7 @@ impl Document {
         self.later = later.cloned().collect();
         self.diagnostics = diagnostics;
         self.runs = runs;
-        let has_values = runs && !self.names.facts.is_empty();
-        has_values.then(|| {
+        self.has_values().then(|| {
             self.computed.add(Snapshot {
                 text: solved.text,
                 outlines: self.outlines.clone(),

@@ -186,6 +186,9 @@ fn mechanisms_in_rust_have_messages() {
     let messages = client.open("rust", text);
     assert_eq!(messages.as_array().map(Vec::len), Some(1), "{messages}");
     assert_eq!(messages[0]["range"]["start"]["line"], 1);
+    let [line, column] = place(text, "r = 3parsec");
+    client.change([[line, column - 6], [line, column]], "mm");
+    assert_eq!(client.messages(), json!([]));
     // The rest of the file is a matter of the compiler of Rust.
     client.change([[0, 0], [2, 0]], "fn main( {");
     assert_eq!(client.messages(), json!([]));

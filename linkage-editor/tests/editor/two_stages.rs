@@ -161,6 +161,15 @@ fn changes_end_at_the_messages_of_the_whole_text() {
     }
 }
 
+/// Only messages are known of Rust files.
+#[test]
+fn rust_files_have_no_values() {
+    let file = format!("linkage::mechanism! {{ {} }}", text("slider"));
+    let mut document = Document::new("slider.rs", "");
+    assert!(solve(&mut document, &file).is_none());
+    assert!(document.runs() && document.is_settled());
+}
+
 /// The first stage does not wait for the solver, on machines of every speed.
 #[test]
 fn reading_takes_a_part_of_the_time_of_solving() {
