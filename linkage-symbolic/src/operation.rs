@@ -86,14 +86,14 @@ table! {
             class: Class::SineCosine,
             symmetry: Symmetry::Odd,
             call: RustCall::SinePair(0),
-            ..trigonometric("sin", |[a]| a.sin())
+            ..trigonometric("sin", |[a]| libm::sin(a))
         },
         /// The cosine.
         Cos => OperationRow {
             class: Class::SineCosine,
             symmetry: Symmetry::Even,
             call: RustCall::SinePair(1),
-            ..trigonometric("cos", |[a]| a.cos())
+            ..trigonometric("cos", |[a]| libm::cos(a))
         },
         /// The tangent.
         Tan => OperationRow {
@@ -191,7 +191,7 @@ table! {
             class: Class::ArcTangent,
             splits: true,
             call: RustCall::FusedMethod("atan2_with"),
-            ..arc("atan2", |[y, x]| y.atan2(x))
+            ..arc("atan2", |[y, x]| libm::atan2(y, x))
         },
         /// `sqrt(x^2 + y^2)` without overflow.
         Hypot => OperationRow {
@@ -200,7 +200,7 @@ table! {
             size: 20,
             class: Class::Root,
             never_negative: true,
-            ..row("hypot", |[a, b]| a.hypot(b))
+            ..row("hypot", |[a, b]| libm::hypot(a, b))
         },
         /// NaN if an operand is; of two zeros the negative one.
         Min => OperationRow {

@@ -159,7 +159,7 @@ fn without_quarter_turns(angle: Ex) -> Option<(Ex, [f64; 2])> {
 
 /// Cosine and sine of a constant; multiples of a quarter turn give 0 and 1 exactly.
 fn cos_sin_exact(angle: f64) -> [f64; 2] {
-    quarter_turns(angle).unwrap_or([angle.cos(), angle.sin()])
+    quarter_turns(angle).unwrap_or([Unary::Cos, Unary::Sin].map(|function| function.apply([angle])))
 }
 
 /// Cosine and sine of an angle that is a multiple of a quarter turn.

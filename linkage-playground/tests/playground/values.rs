@@ -17,12 +17,6 @@ fn examples() -> Vec<(String, String)> {
         .collect()
 }
 
-/// Examples whose dimensions come from drawn positions. The compiler computes these with the library
-/// of the machine that it runs on, so their last digits may differ.
-const DRAWN: [&str; 1] = ["joints"];
-/// The greatest difference of their values, in parts of a number of at least 1.
-const NEAR: f64 = 1e-9;
-
 /// Numbers of all functions of a mechanism.
 fn numbers(tables: &Value) -> Vec<f64> {
     let tables = tables.as_array().expect("a list").iter();
@@ -47,20 +41,10 @@ fn values_are_those_of_this_machine() {
         let [here, there]: [Value; 2] = [answer(&request.to_string()), there.answer]
             .map(|answer| serde_json::from_str(&answer).expect("JSON"));
         let pairs = numbers(&here).into_iter().zip(numbers(&there));
-        if DRAWN.contains(&name.as_str()) {
-            for (here, there) in pairs {
-                let near = (here - there).abs() <= NEAR * here.abs().max(1.0);
-                assert!(
-                    near || here.is_nan() && there.is_nan(),
-                    "{name}: {here}, {there}"
-                );
-            }
-        } else {
-            let different = pairs.filter(|(here, there)| here.to_bits() != there.to_bits());
-            assert_eq!(different.count(), 0, "{name}");
-            assert_eq!(here, there, "{name}");
-            count += numbers(&here).len();
-        }
+        let different = pairs.filter(|(here, there)| here.to_bits() != there.to_bits());
+        assert_eq!(different.count(), 0, "{name}");
+        assert_eq!(here, there, "{name}");
+        count += numbers(&here).len();
     }
     assert!(count > 20_000, "{count} numbers");
 }

@@ -54,7 +54,7 @@ pub(super) fn root(q: f64, slack: f64, size: f64) -> f64 {
 }
 
 pub(super) fn angle_near(y: f64, x: f64, guide: f64) -> f64 {
-    let angle = y.atan2(x);
+    let angle = libm::atan2(y, x);
     angle + TAU * ((guide - angle) / TAU).round_ties_even()
 }
 
