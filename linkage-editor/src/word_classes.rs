@@ -8,13 +8,13 @@ use linkage_language::syntax::unit_names;
 pub struct WordClasses {
     /// They begin an item of the struct block, or a block.
     pub items: Vec<&'static str>,
-    /// They stand within an item.
+    /// They are within an item.
     pub clauses: Vec<&'static str>,
     /// They name laws of motion and ends of courses.
     pub courses: Vec<&'static str>,
-    /// They stand before parentheses in expressions.
+    /// They are before parentheses in expressions.
     pub functions: Vec<&'static str>,
-    /// They stand before parentheses in functions of a mechanism.
+    /// They are before parentheses in functions of a mechanism.
     pub quantities: Vec<&'static str>,
     /// They follow a number.
     pub units: Vec<&'static str>,
