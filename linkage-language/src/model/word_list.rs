@@ -19,19 +19,19 @@ use crate::syntax::{
 pub enum WordClass {
     /// They begin an item of the struct block.
     Item,
-    /// They stand within an item, in front of a value or a name, or alone.
+    /// They are within an item, before a value or a name, or alone.
     Clause,
     /// They name a law of motion, or the ends of a course.
     Course,
-    /// They stand before parentheses in any expression.
+    /// They are before parentheses, in any expression.
     Function,
-    /// They stand before parentheses in functions of the `impl` block.
+    /// They are before parentheses, in functions of the `impl` block.
     Quantity,
     /// They are units.
     Unit,
     /// They follow a link and a dot.
     Member,
-    /// Nobody writes them, or another vocabulary has the same words.
+    /// They are in no text, or another vocabulary has the same words.
     Hidden,
 }
 
@@ -161,7 +161,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn words_mean_what_their_item_says() {
+    fn an_item_gives_a_word_its_meaning() {
         let meaning =
             |word, item| plain_word(word, ItemWord::from_word(item)).map(|(_, text)| text);
         assert_ne!(meaning("at", "link"), meaning("at", "slider"));

@@ -4,7 +4,7 @@ use proc_macro2::Ident;
 
 use super::expression::PlusMinus;
 use super::expression_tree::{Expr, ExprKind, Toleranced};
-use super::keyword::LinkedWord;
+use super::keyword::{LinkedWord, is_keyword};
 use super::linked_tree::{
     DrawnJoint, LinkItem, LinkJoint, LinkedItem, LostItem, WeldItem, WheelsItem,
 };
@@ -44,7 +44,7 @@ impl Parser<'_> {
 
     /// Returns the names that an item declares, whatever is wrong with the rest of it.
     fn declared_ahead(&self, word: LinkedWord) -> Vec<Ident> {
-        match word {
+        let mut names: Vec<Ident> = match word {
             LinkedWord::Link | LinkedWord::Slider => {
                 self.stream.ident(0).cloned().into_iter().collect()
             }
@@ -60,7 +60,14 @@ impl Parser<'_> {
                 names.collect()
             }
             LinkedWord::Gears | LinkedWord::Belt | LinkedWord::Weld => Vec::new(),
-        }
+        };
+        // The mistake can be a name that is none.
+        let is_name = |name: &Ident| {
+            let text = name.to_string();
+            !is_keyword(&text) && !text.starts_with("r#")
+        };
+        names.retain(is_name);
+        names
     }
 
     /// `NAME = (x, y), NAME = (x, y), ...`

@@ -80,6 +80,22 @@ fn mistakes_in_links() {
             "unknown joint `e`\nhelp: write where it is drawn: `joint e = (x, y);`",
         ),
         (
+            [
+                FRAME,
+                "joint self = (0mm, 0mm); link crank: a, b at phi;",
+                REST,
+            ],
+            "`self` is a keyword of Rust and cannot be a name",
+        ),
+        (
+            [
+                FRAME,
+                CRANK,
+                "link coupler: b, c c; link rocker: c, d length coupler.length;",
+            ],
+            "expected `,` and a joint, a clause or `;`, found `c`",
+        ),
+        (
             [FRAME, "link crank: a, b at phi, at phi;", REST],
             "a second `at`\nhelp: a link has one",
         ),
