@@ -181,12 +181,12 @@ impl<'m> Assembly<'m> {
         assemble_there(&compiled, self, &at.to_vec())
     }
 
-    fn core(&self) -> &CoreOf<Compiled<'m>> {
+    pub(crate) fn core(&self) -> &CoreOf<Compiled<'m>> {
         AssemblyData::core(&self.data)
     }
 
     /// The origin of the states of coupled groups.
-    fn states<'a>(&'a self, inputs: &'a [f64]) -> States<'a> {
+    pub(crate) fn states<'a>(&'a self, inputs: &'a [f64]) -> States<'a> {
         States {
             mechanism: self.mechanism(),
             starts: self.starts(),
