@@ -92,30 +92,33 @@ fn sweep_text(writer: &mut Writer<'_>, function: &FunctionDeclaration, name: &st
     let declarations = &writer.surface.declarations;
     let (mechanism, number) = (&declarations.name, writer.surface.real.name());
     // Names of the user are in the statements.
-    let own = &declarations.private;
+    let private = &declarations.private;
     let arguments = function.arguments.iter().enumerate();
     let mut values = String::new();
     for (k, argument) in arguments {
         let name = &argument.name;
-        let _ = writeln!(values, "    const {number} {name} = {own}x{k}[{own}k];");
+        let _ = writeln!(
+            values,
+            "    const {number} {name} = {private}x{k}[{private}k];"
+        );
     }
     values += &statements;
     for (k, result) in results.iter().enumerate() {
-        let _ = writeln!(values, "    {own}c{k}[{own}k] = {result};");
+        let _ = writeln!(values, "    {private}c{k}[{private}k] = {result};");
     }
     let values = values.replace('\n', "\n    ");
     let list = |count: usize, item: &dyn Fn(usize) -> String| (0..count).map(item).collect();
     let (arguments, results) = (function.arguments.len(), results.len());
     let inputs: String = list(arguments, &|k| {
-        format!(", const {number} *restrict {own}x{k}")
+        format!(", const {number} *restrict {private}x{k}")
     });
-    let outputs: String = list(results, &|k| format!(", {number} *restrict {own}c{k}"));
+    let outputs: String = list(results, &|k| format!(", {number} *restrict {private}c{k}"));
     let rows = format!(
         "
-static void {name}_rows(const {mechanism} *m, size_t {own}count{inputs}{outputs})
+static void {name}_rows(const {mechanism} *m, size_t {private}count{inputs}{outputs})
 {{
-    size_t {own}k;
-    for ({own}k = 0; {own}k < {own}count; {own}k++) {{
+    size_t {private}k;
+    for ({private}k = 0; {private}k < {private}count; {private}k++) {{
     {}
     }}
 }}

@@ -34,10 +34,10 @@
 mod page {}
 
 mod assembled;
+mod assembly_follower;
 mod columns;
 mod compiled;
 mod error;
-mod follower;
 mod kinematics;
 mod mechanism;
 mod messages;
@@ -49,10 +49,10 @@ mod source;
 mod sweep;
 mod tolerance_effects;
 
+pub use assembly_follower::Follower;
 pub use columns::Columns;
 pub use compiled::Assembly;
 pub use error::{CompileError, SourceError, ToleranceError, UnknownFunction};
-pub use follower::Follower;
 pub use linkage_runtime::{
     AssemblyError, AssemblyMode, Branch, BranchEnd, Circuits, Estimate, Heading, Input,
     NotFollowed, Parameter, RangeReport, Structure, Table,

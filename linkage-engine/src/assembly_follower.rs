@@ -37,32 +37,21 @@ pub struct Follower<'a> {
     position: Vec<f64>,
 }
 
-impl Assembly<'_> {
-    /// Returns a follower at these inputs, where the assembly must serve: at the reference inputs, if
-    /// no range is declared.
-    ///
-    /// # Errors
-    ///
-    /// Where the assembly does not serve.
-    ///
-    /// # Panics
-    ///
-    /// If there is another number of inputs.
-    pub fn follower<'a>(&'a self, inputs: &[f64]) -> Result<Follower<'a>, NotFollowed> {
-        let count = self.mechanism().inputs().len();
+impl<'a> Follower<'a> {
+    /// A follower at these inputs.
+    pub(crate) fn new(assembly: &'a Assembly<'a>, inputs: &[f64]) -> Result<Self, NotFollowed> {
+        let count = assembly.mechanism().inputs().len();
         assert_eq!(inputs.len(), count, "its inputs");
-        let states = self.states(inputs).by_build();
+        let states = assembly.states(inputs).by_build();
         let position = inputs.iter().copied().chain(states.into_iter().flatten());
-        let mut follower = Follower {
-            assembly: self,
+        let mut follower = Self {
+            assembly,
             position: position.collect(),
         };
         follower.follow(inputs)?;
         Ok(follower)
     }
-}
 
-impl<'a> Follower<'a> {
     /// Goes straight to other inputs, in steps that are certain to stay on the assembly: a single one
     /// if the way is short.
     ///
@@ -77,12 +66,12 @@ impl<'a> Follower<'a> {
         let mechanism = self.assembly.mechanism();
         assert_eq!(inputs.len(), mechanism.inputs().len(), "its inputs");
         let standing = standing(mechanism);
-        let way = Way {
+        let path = FollowerPath {
             follower: self,
             to: inputs,
             standing: &standing,
         };
-        match mechanism.multiply_adds.by_machine(&way) {
+        match mechanism.multiply_adds.by_machine(&path) {
             Ok(position) => {
                 self.position = position;
                 Ok(())
@@ -158,14 +147,14 @@ fn split(mechanism: &Mechanism, position: &[f64]) -> Vec<Vec<f64>> {
     states.collect()
 }
 
-/// A way from the position of a follower to other inputs.
-struct Way<'w, 'a> {
+/// The path from the position of a follower to other inputs.
+struct FollowerPath<'w, 'a> {
     follower: &'w Follower<'a>,
     to: &'w [f64],
     standing: &'w [Standing],
 }
 
-impl Dispatch<f64, Result<Vec<f64>, Stop>, 0> for Way<'_, '_> {
+impl Dispatch<f64, Result<Vec<f64>, Stop>, 0> for FollowerPath<'_, '_> {
     #[inline(always)]
     fn at<const FUSED: bool>(&self, []: [f64; 0]) -> Result<Vec<f64>, Stop> {
         let assembly = self.follower.assembly;
