@@ -3,11 +3,14 @@
 use std::fmt::Write;
 
 use linkage_compiler::ir::CompiledMechanism;
-use linkage_export::{FunctionDeclaration, Refused, scalar_paths};
+use linkage_export::{FunctionDeclaration, Refused};
 
 use crate::comment::comment;
+use crate::evaluator::values;
 use crate::real::Real;
-use crate::surface::{Evaluator, Surface, surface};
+use crate::source::writer;
+use crate::surface::surface;
+use crate::writer::Writer;
 use crate::{Sources, sources};
 
 /// Positions of a block.
@@ -63,12 +66,13 @@ pub fn column_sweeps(
         "#include \"{}.c\"\n\n#include <string.h>",
         sources.name
     );
+    let mut writer = writer(&surface);
     let functions = surface.declarations.functions.iter();
     let functions = functions.zip(&surface.functions);
     let sweeps = functions.map(|(function, evaluator)| {
         let sweep = evaluator.sweep.as_ref()?;
         let name = format!("{}_columns", sweep.name);
-        columns += &sweep_text(&surface, function, evaluator, &name);
+        columns += &sweep_text(&mut writer, function, &name);
         Some(name)
     });
     Ok(ColumnSweeps {
@@ -83,35 +87,44 @@ pub fn column_sweeps(
 
 /// The sweep of a function: rows of a block by a function whose arrays do not overlap, so that
 /// compilers compute several rows at once. Arguments that stand still fill an array of a block.
-fn sweep_text(
-    surface: &Surface<'_>,
-    function: &FunctionDeclaration,
-    evaluator: &Evaluator,
-    name: &str,
-) -> String {
-    let (mechanism, number) = (&surface.declarations.name, surface.real.name());
-    let (result, call) = (&evaluator.result, &evaluator.declared.name);
-    let fields = function.fields.iter();
-    let paths: Vec<String> = fields
-        .flat_map(|field| scalar_paths(&field.name, field.shape))
-        .collect();
-    let list = |count: usize, item: &dyn Fn(usize) -> String| (0..count).map(item).collect();
-    let arguments = function.arguments.len();
-    let inputs: String = list(arguments, &|k| format!(", const {number} *restrict x{k}"));
-    let outputs: String = list(paths.len(), &|k| format!(", {number} *restrict c{k}"));
-    let at: String = list(arguments, &|k| format!(", x{k}[k]"));
-    let mut text = format!(
-        "
-static void {name}_rows(const {mechanism} *m, size_t count{inputs}{outputs})
-{{
-    size_t k;
-    for (k = 0; k < count; k++) {{
-        const {result} at = {call}(m{at});
-"
-    );
-    for (k, path) in paths.iter().enumerate() {
-        let _ = writeln!(text, "        c{k}[k] = at.{path};");
+fn sweep_text(writer: &mut Writer<'_>, function: &FunctionDeclaration, name: &str) -> String {
+    let (statements, results) = values(writer, function);
+    let declarations = &writer.surface.declarations;
+    let (mechanism, number) = (&declarations.name, writer.surface.real.name());
+    // Names of the user are in the statements.
+    let private = &declarations.private;
+    let arguments = function.arguments.iter().enumerate();
+    let mut values = String::new();
+    for (k, argument) in arguments {
+        let name = &argument.name;
+        let _ = writeln!(
+            values,
+            "    const {number} {name} = {private}x{k}[{private}k];"
+        );
     }
+    values += &statements;
+    for (k, result) in results.iter().enumerate() {
+        let _ = writeln!(values, "    {private}c{k}[{private}k] = {result};");
+    }
+    let values = values.replace('\n', "\n    ");
+    let list = |count: usize, item: &dyn Fn(usize) -> String| (0..count).map(item).collect();
+    let (arguments, results) = (function.arguments.len(), results.len());
+    let inputs: String = list(arguments, &|k| {
+        format!(", const {number} *restrict {private}x{k}")
+    });
+    let outputs: String = list(results, &|k| format!(", {number} *restrict {private}c{k}"));
+    let rows = format!(
+        "
+static void {name}_rows(const {mechanism} *m, size_t {private}count{inputs}{outputs})
+{{
+    size_t {private}k;
+    for ({private}k = 0; {private}k < {private}count; {private}k++) {{
+    {}
+    }}
+}}
+",
+        values.trim_end()
+    );
     let constants: String = list(arguments, &|k| {
         format!(
             "    {number} s{k}[{BLOCK}];\n    if (!steps[{k}]) for (k = 0; k < {BLOCK}; k++) s{k}[k] = x[{k}][0];\n"
@@ -120,11 +133,9 @@ static void {name}_rows(const {mechanism} *m, size_t count{inputs}{outputs})
     let inputs: String = list(arguments, &|k| {
         format!(", steps[{k}] ? x[{k}] + from : s{k}")
     });
-    let outputs: String = list(paths.len(), &|k| format!(", columns[{k}] + from"));
-    text + &format!(
-        "    }}
-}}
-
+    let outputs: String = list(results, &|k| format!(", columns[{k}] + from"));
+    rows + &format!(
+        "
 void {name}(const {mechanism} *m, size_t count, const {number} *const *x, const size_t *steps, {number} *const *columns)
 {{
     size_t from, k;

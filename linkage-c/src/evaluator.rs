@@ -15,24 +15,15 @@ pub(crate) fn evaluator(
     function: &FunctionDeclaration,
     evaluator: &Evaluator,
 ) {
-    let surface = writer.surface;
     let Evaluator {
         declared,
         result,
         sweep,
     } = evaluator;
-    let program = &function.function.called.program;
-    let printed = writer.printer.program(program, &|source| match source {
-        Source::Input(index) => {
-            let argument = function.argument(index);
-            argument.expect("a program uses only its inputs").to_owned()
-        }
-        other => source_expression(surface, other),
-    });
-    let mut body = states(surface, function) + &printed.statements;
+    let (mut body, results) = values(writer, function);
     let fields = function.fields.iter();
     let targets = fields.flat_map(|field| scalar_paths(&field.name, field.shape));
-    for (target, value) in targets.zip(&printed.results) {
+    for (target, value) in targets.zip(&results) {
         let _ = writeln!(body, "    result.{target} = {value};");
     }
     if function.fields.is_empty() {
@@ -52,6 +43,22 @@ pub(crate) fn evaluator(
             "{signature}\n{{\n    size_t k;\n    for (k = 0; k < count; k++) results[k] = {name}(m{at});\n}}\n"
         );
     }
+}
+
+/// Statements that compute a function, and the expressions of its numbers after them. They use `m`
+/// and the arguments by their names.
+pub(crate) fn values(writer: &mut Writer, function: &FunctionDeclaration) -> (String, Vec<String>) {
+    let surface = writer.surface;
+    let program = &function.function.called.program;
+    let printed = writer.printer.program(program, &|source| match source {
+        Source::Input(index) => {
+            let argument = function.argument(index);
+            argument.expect("a program uses only its inputs").to_owned()
+        }
+        other => source_expression(surface, other),
+    });
+    let statements = states(surface, function) + &printed.statements;
+    (statements, printed.results)
 }
 
 /// Statements that find the states of the coupled groups that a function needs.

@@ -16,15 +16,7 @@ use crate::writer::Writer;
 
 /// The text of the source.
 pub(crate) fn source(surface: &Surface) -> String {
-    let mut writer = Writer {
-        surface,
-        printer: Printer {
-            real: surface.real,
-            private: &surface.declarations.private,
-            helpers: helpers(surface.real),
-        },
-        text: String::new(),
-    };
+    let mut writer = writer(surface);
     plumbing(&mut writer);
     assemble::assemble(&mut writer);
     assemble::assembly_size(&mut writer);
@@ -44,6 +36,19 @@ pub(crate) fn source(surface: &Surface) -> String {
         "\nstatic ",
         &format!("\nstatic {} ", surface.constant(LOCAL)),
     )
+}
+
+/// A writer without a text.
+pub(crate) fn writer<'a>(surface: &'a Surface<'a>) -> Writer<'a> {
+    Writer {
+        surface,
+        printer: Printer {
+            real: surface.real,
+            private: &surface.declarations.private,
+            helpers: helpers(surface.real),
+        },
+        text: String::new(),
+    }
 }
 
 /// The programs behind assembling.

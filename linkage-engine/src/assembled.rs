@@ -4,9 +4,10 @@ use linkage_compiler::ir::{Body, Function, Surveyed};
 use linkage_runtime::support::{
     AssemblyData, Compiled as _, CoreOf, Grouped, InitialState, assemble_there, check_range_of,
 };
-use linkage_runtime::{AssemblyMode, Estimate, RangeReport, Scalar};
+use linkage_runtime::{AssemblyMode, Estimate, NotFollowed, RangeReport, Scalar};
 use linkage_symbolic::program::Source;
 
+use crate::assembly_follower::Follower;
 use crate::compiled::{Assembly, Compiled, numbers};
 use crate::mechanism::Mechanism;
 use crate::mechanism::forever::forever;
@@ -48,6 +49,20 @@ impl<'m> Assembly<'m> {
             _ => 1.0,
         });
         shares.fold(1.0, f64::min)
+    }
+
+    /// Returns a follower at these inputs, where the assembly must serve: at the reference inputs, if
+    /// no range is declared.
+    ///
+    /// # Errors
+    ///
+    /// Where the assembly does not serve.
+    ///
+    /// # Panics
+    ///
+    /// If there is another number of inputs.
+    pub fn follower<'a>(&'a self, inputs: &[f64]) -> Result<Follower<'a>, NotFollowed> {
+        Follower::new(self, inputs)
     }
 
     /// The results of a function, by its number: one for each of its columns.
@@ -181,12 +196,12 @@ impl<'m> Assembly<'m> {
         assemble_there(&compiled, self, &at.to_vec())
     }
 
-    fn core(&self) -> &CoreOf<Compiled<'m>> {
+    pub(crate) fn core(&self) -> &CoreOf<Compiled<'m>> {
         AssemblyData::core(&self.data)
     }
 
     /// The origin of the states of coupled groups.
-    fn states<'a>(&'a self, inputs: &'a [f64]) -> States<'a> {
+    pub(crate) fn states<'a>(&'a self, inputs: &'a [f64]) -> States<'a> {
         States {
             mechanism: self.mechanism(),
             starts: self.starts(),

@@ -19,6 +19,7 @@
 //! | compute many positions | [`Assembly::sweep`], [`Assembly::sweep_parallel_into`] |
 //! | compute many mechanisms | [`Assembly::sweep_sets`] |
 //! | compute parts of a sweep | [`Assembly::sweep_in_parts`], [`Assembly::sweep_sets_in_parts`] |
+//! | go from position to position | [`Assembly::follower`] |
 //! | see effects of tolerances | [`Mechanism::sensitive_quantities`] |
 //! | name, unit and meaning of results | [`Mechanism::headings`]; [`Columns`] is a [`Table`] |
 //!
@@ -33,6 +34,7 @@
 mod page {}
 
 mod assembled;
+mod assembly_follower;
 mod columns;
 mod compiled;
 mod error;
@@ -47,12 +49,13 @@ mod source;
 mod sweep;
 mod tolerance_effects;
 
+pub use assembly_follower::Follower;
 pub use columns::Columns;
 pub use compiled::Assembly;
 pub use error::{CompileError, SourceError, ToleranceError, UnknownFunction};
 pub use linkage_runtime::{
-    AssemblyError, AssemblyMode, Branch, BranchEnd, Circuits, Estimate, Heading, Input, Parameter,
-    RangeReport, Structure, Table,
+    AssemblyError, AssemblyMode, Branch, BranchEnd, Circuits, Estimate, Heading, Input,
+    NotFollowed, Parameter, RangeReport, Structure, Table,
 };
 pub use mechanism::{Mechanism, compile, compile_in_any_range};
 pub use messages::{rendered, rendered_warning};

@@ -14,6 +14,7 @@ if TYPE_CHECKING:
     import numpy as np
 
     from ._analysis import Summary, Tolerance
+    from ._follower import Follower
     from ._mechanism import Mechanism
 
 
@@ -161,6 +162,21 @@ class Assembly:
         from ._analysis import summary
 
         return summary(self, self[function], quantity, positions, band, range, arguments)
+
+    def follow(self, *inputs: float, **named: float) -> Follower:
+        """Returns a follower: it goes from position to position in this assembly.
+
+        It begins at these inputs, by default at the references. Groups that have no closed form
+        are followed from their current state, whatever the ranges of the inputs are.
+
+        Raises
+        ------
+        AssemblyError
+            If there is no assembly at the inputs.
+        """
+        from ._follower import follower
+
+        return follower(self, inputs, named)
 
     def page(self, positions: int = 361) -> str:
         """Returns a page with drawing, plots and tables of this many positions as HTML.

@@ -8,6 +8,7 @@ use self_cell::self_cell;
 
 use crate::analysis::{Curve, Effects, curve, effects};
 use crate::circuits::unknowns;
+use crate::follower::Follower;
 use crate::sweep::{fill, gaps};
 
 type Assemblies<'a> = Vec<linkage_engine::Assembly<'a>>;
@@ -57,6 +58,11 @@ impl Assembly {
     #[getter]
     fn dimensions(&self) -> Vec<f64> {
         self.get().dimensions().to_vec()
+    }
+
+    /// A follower at these inputs.
+    fn follower(&self, py: Python<'_>, inputs: Vec<f64>) -> PyResult<Follower> {
+        Follower::new(py, Self::new(Arc::clone(&self.all), self.index), &inputs)
     }
 
     #[getter]

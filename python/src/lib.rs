@@ -9,6 +9,7 @@ mod assembly;
 mod circuits;
 mod derivatives;
 mod description;
+mod follower;
 mod mechanism;
 mod page;
 mod raised;
@@ -20,6 +21,8 @@ mod text;
 mod _linkage {
     #[pymodule_export]
     use crate::assembly::Assembly;
+    #[pymodule_export]
+    use crate::follower::Follower;
     #[pymodule_export]
     use crate::mechanism::Mechanism;
     #[pymodule_export]

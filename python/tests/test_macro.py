@@ -86,7 +86,7 @@ def test_numbers_are_those_of_the_macro(key):
 
 
 def test_all_kinds_of_values_are_compared():
-    if not VALUES:
+    if "LINKAGE_MACRO_VALUES" not in os.environ:
         pytest.skip("LINKAGE_MACRO_VALUES is not set")
     kinds = {kind for lines in VALUES.values() for kind, *_ in lines}
     assert kinds == {"call", "sweep", "sets", "near"}

@@ -56,6 +56,41 @@ fn regular(p: Vector3<f64>, turn: UnitQuaternion<f64>) -> f64 {
     Matrix6::from_rows(&rows.collect::<Vec<_>>()).determinant()
 }
 
+/// The follower of the engine has the numbers of the macro's, to the last bit, and its messages.
+#[test]
+fn the_engine_follows_to_the_same_positions() {
+    let hexapod = Hexapod::default().assemble().expect("it assembles");
+    let [a, b, c, d, e, f] = REFERENCE;
+    let mut at = hexapod.follower(a, b, c, d, e, f).expect("the reference");
+    let all = linkage_engine::compile("hexapod.rs", include_str!("hexapod.rs"));
+    let all = all.expect("it has no mistake");
+    let assembly = all[0].assemble(&[]).expect("it assembles");
+    let mut same = assembly.follower(&REFERENCE).expect("the reference");
+    let mut stops = 0;
+    for step in 0..400 {
+        let time = 0.05 * f64::from(step);
+        let legs: [f64; 6] = std::array::from_fn(|k| {
+            let rate = 1.0 + 0.3 * f64::from(k as u8);
+            REFERENCE[k] + 40.0 * (time * rate).sin()
+        });
+        let [a, b, c, d, e, f] = legs;
+        let followed = at.follow(a, b, c, d, e, f);
+        assert_eq!(followed, same.follow(&legs), "step {step}");
+        stops += usize::from(followed.is_err());
+        let (pose, jacobian) = (at.pose(), at.jacobian());
+        let derivatives = [jacobian.p, jacobian.x, jacobian.y];
+        let rows = [vec![pose.p, pose.x, pose.y], derivatives.concat()];
+        for (function, row) in rows.iter().enumerate() {
+            let expected = row.iter().flat_map(|vector| vector.iter());
+            let expected: Vec<u64> = expected.map(|x| x.to_bits()).collect();
+            let found = same.call(function, &legs);
+            let found: Vec<u64> = found.iter().map(|x| x.to_bits()).collect();
+            assert_eq!(found, expected, "step {step}");
+        }
+    }
+    assert!(stops > 0 && stops < 400, "{stops} stops");
+}
+
 #[test]
 fn a_path_of_poses_is_where_it_was_computed_with_80_digits() {
     let hexapod = Hexapod::default().assemble().expect("it assembles");

@@ -64,7 +64,8 @@ pub fn put_corrected<T: Copy, const W: usize, const O: usize>(
 }
 
 /// Follows the groups on the straight path from the current position `from`, inputs with the states
-/// of all groups after them, to the inputs `to`.
+/// of all groups after them, to the inputs `to`. Generated code has positions as arrays, the engine
+/// as vectors.
 ///
 /// A step is taken if in every group, in their order, the first correction is small, each of the
 /// next ones at most a quarter of the one before, the last one negligible, and the determinant
@@ -74,20 +75,21 @@ pub fn put_corrected<T: Copy, const W: usize, const O: usize>(
 ///
 /// Where no step leads any further.
 #[inline(always)]
-pub fn follow<T: Scalar, const I: usize, const W: usize>(
-    from: &[T; W],
-    to: [T; I],
+pub fn follow<T: Scalar, X: Clone + AsRef<[T]> + AsMut<[T]>>(
+    from: &X,
+    to: impl AsRef<[T]>,
     groups: &[Standing],
-    correct: impl Fn(usize, &mut [T; W]) -> Corrected<T>,
-) -> Result<[T; W], Stop> {
-    let mut here = *from;
+    correct: impl Fn(usize, &mut X) -> Corrected<T>,
+) -> Result<X, Stop> {
+    let mut here = from.clone();
     let (mut share, mut length) = (0.0, 1.0);
     while share < 1.0 {
         let next = share + length;
-        let mut there = here;
-        for (k, end) in to.iter().enumerate() {
-            there[k] = if next < 1.0 {
-                from[k] + (*end - from[k]) * T::from_f64(next)
+        let mut there = here.clone();
+        let ends = to.as_ref().iter().zip(from.as_ref());
+        for (position, (end, begin)) in there.as_mut().iter_mut().zip(ends) {
+            *position = if next < 1.0 {
+                *begin + (*end - *begin) * T::from_f64(next)
             } else {
                 // The whole way, so that nothing is lost on the last step.
                 *end
@@ -95,7 +97,7 @@ pub fn follow<T: Scalar, const I: usize, const W: usize>(
         }
         let mut numbered = groups.iter().enumerate();
         let failed = numbered.find_map(|(number, group)| {
-            let settled = settle(&mut there, group, |x| correct(number, x));
+            let settled = settle::<T, X>(&mut there, group, |x| correct(number, x));
             Some((number, group, settled.err()?))
         });
         match failed {
@@ -105,7 +107,7 @@ pub fn follow<T: Scalar, const I: usize, const W: usize>(
                 length = (2.0 * length).min(1.0 - share);
             }
             Some((number, group, why)) if length < SHORTEST => {
-                let why = if has_vanished(from, &here, group) {
+                let why = if has_vanished::<T>(from.as_ref(), here.as_ref(), group) {
                     Halt::DeadPoint
                 } else {
                     why
@@ -120,10 +122,10 @@ pub fn follow<T: Scalar, const I: usize, const W: usize>(
 
 /// Corrects a group until it is settled; otherwise it may be somewhere else then.
 #[inline(always)]
-fn settle<T: Scalar, const W: usize>(
-    x: &mut [T; W],
+fn settle<T: Scalar, X: AsRef<[T]> + AsMut<[T]>>(
+    x: &mut X,
     group: &Standing,
-    correct: impl Fn(&mut [T; W]) -> Corrected<T>,
+    correct: impl Fn(&mut X) -> Corrected<T>,
 ) -> Result<(), Halt> {
     let floor = group.first + group.size;
     let settled = T::LAST_CORRECTION * T::LAST_CORRECTION;
@@ -137,7 +139,7 @@ fn settle<T: Scalar, const W: usize>(
             let size2 = T::lane(step.size2, lane);
             let determinant = T::lane(step.determinant, lane);
             sound &= size2 <= allowed
-                && determinant * T::lane(x[floor], lane) > 0.0
+                && determinant * T::lane(x.as_ref()[floor], lane) > 0.0
                 && is_alike(determinant, T::lane(begin, lane));
             finite &= size2.is_finite() && determinant.is_finite();
             largest = f64::max(largest, size2);
@@ -149,6 +151,7 @@ fn settle<T: Scalar, const W: usize>(
             return Err(Halt::Uncertain);
         }
         if largest <= settled {
+            let x = x.as_mut();
             x[floor] = step.determinant * T::from_f64(0.5);
             let numbers = x[group.first..=floor].iter_mut();
             // Derivatives belong to a position: they are computed again there.
@@ -162,7 +165,7 @@ fn settle<T: Scalar, const W: usize>(
 
 /// True if the determinant of a group is next to nothing, compared with where the way began.
 #[inline(always)]
-fn has_vanished<T: Scalar, const W: usize>(from: &[T; W], here: &[T; W], group: &Standing) -> bool {
+fn has_vanished<T: Scalar>(from: &[T], here: &[T], group: &Standing) -> bool {
     let floor = group.first + group.size;
     (0..T::LANES).any(|lane| {
         let [begin, end] = [from, here].map(|x| T::lane(x[floor], lane).abs());
