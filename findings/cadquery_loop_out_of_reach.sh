@@ -1,9 +1,9 @@
 #!/usr/bin/env bash
 # cadquery 2.8.0, `Assembly.solve` for a four-bar whose crank is turned out of its reach.
 #
-# Behaviour: `solve()` returns the assembly as for a solution, with each of the four joints open by 2.4 mm. A four-bar of
-# 50, 120, 60 and 140 mm cannot close at a crank of 3 rad; its parts are placed with the missing 9.6 mm shared by the
-# joints, and the crank at 2.998 rad. Nothing is raised or printed. In metres the solver even ends with
+# Behaviour: `solve()` returns the assembly as for a solution, with each of the four joints open by 2.4 mm. A four-bar
+# of 50, 120, 60 and 140 mm cannot close at a crank of 3 rad; its parts are placed with the missing 9.6 mm shared by
+# the joints, and the crank at 2.998 rad. Nothing is raised or printed. In metres the solver even ends with
 # `Solve_Succeeded`, as it does for a pose in reach, whose gap is below 1e-12.
 #
 # Guess before: an exception, as constraints of kind `Point` and `FixedRotation` cannot hold.
@@ -62,8 +62,11 @@ def turn(lengths, phi):
     assembly.constrain("crank", "FixedRotation", (0, 0, math.degrees(phi)))
     assert assembly.solve() is assembly
     places = {name: assembly.objects[name].loc for name in links}
-    gap = max((end(first, side).moved(places[first]).Center() - end(second, other).moved(places[second]).Center()).Length
-              for first, side, second, other in joints)
+
+    def placed(name, sign):
+        return end(name, sign).moved(places[name]).Center()
+
+    gap = max((placed(first, side) - placed(second, other)).Length for first, side, second, other in joints)
     matrix = places["crank"].wrapped.Transformation()
     return math.atan2(matrix.Value(2, 1), matrix.Value(1, 1)), gap, assembly._solve_result["return_status"]
 

@@ -2,10 +2,10 @@
 # GTC 1.5.1, `function.implicit` for the rocker of a four-bar whose crank has an uncertain length.
 #
 # Behaviour: the function can return the value of the equation in place of its root. If the root is at a limit of the
-# search range, the rocker is at 0 rad and not at 1.4755 rad, with the uncertainty of that wrong place. The limit counts
-# as a root if the equation is below `epsilon` there, in the unit of the equation: a four-bar with a crank of 0.5 mm that
-# is written in metres is at 2e-7 rad with an `epsilon` of 1e-6, though the root is in the middle of the range. The
-# same in millimetres is right. No case raises.
+# search range, the rocker is at 0 rad and not at 1.4755 rad, with the uncertainty of that wrong place. The limit
+# counts as a root if the equation is below `epsilon` there, in the unit of the equation: a four-bar with a crank of
+# 0.5 mm that is written in metres is at 2e-7 rad with an `epsilon` of 1e-6, though the root is in the middle of the
+# range. The same in millimetres is right. No case raises.
 #
 # Guess before: a root at a limit is returned as that limit, with the uncertainty.
 #
