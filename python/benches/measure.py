@@ -45,8 +45,7 @@ COUNT = 1_000_000
 
 
 def median(work, rounds: int) -> float:
-    """Nanoseconds for each position: the median of the processor's time, of wall time for threads
-    that are not ours."""
+    """Nanoseconds for each position: the median of the processor's time, that of all threads."""
     work()
     times = []
     for _ in range(rounds):
