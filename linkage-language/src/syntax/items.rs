@@ -193,9 +193,8 @@ impl Parser<'_> {
                 "the fixed link is written `link frame: joint, joint;`".to_owned()
             }
             _ => {
-                let joint = other_word(&word).map(ItemWord::Joint);
                 let near = || nearest(&word, ItemWord::all().map(ItemWord::word));
-                let Some(meant) = joint.or_else(|| ItemWord::from_word(near()?)) else {
+                let Some(meant) = usual_word(&word).or_else(|| ItemWord::from_word(near()?)) else {
                     return self.expected("an item", &listed());
                 };
                 let (span, meant_word) = (self.stream.span(), meant.word());
@@ -288,5 +287,14 @@ impl Parser<'_> {
             span,
             of: None,
         })
+    }
+}
+
+/// Returns the item that other tools and languages call by this word.
+fn usual_word(word: &str) -> Option<ItemWord> {
+    match word {
+        "point" | "vector" | "var" => Some(ItemWord::Declaration(DeclarationWord::Let)),
+        "dimension" | "parameter" => Some(ItemWord::Declaration(DeclarationWord::Param)),
+        _ => other_word(word).map(ItemWord::Joint),
     }
 }

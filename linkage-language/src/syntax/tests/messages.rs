@@ -145,6 +145,8 @@ fn items() {
             "expected an item, found `42`\nhelp: items are unit const param",
         ),
         ("gear a = 1;", "help: did you mean `gears`?"),
+        ("point p = polar(1, 30deg);", "help: did you mean `let`?"),
+        ("dimension a = 1;", "help: did you mean `param`?"),
         (
             "hinge a = b on c at d;",
             "expected an item, found `hinge`\nhelp: did you mean `pin`?",
