@@ -8,4 +8,4 @@ mod words;
 pub use captures::Captures;
 pub use parsed::{faults, language, tree};
 pub use texts::{Text, mechanism_files, read, root, rust_macros, samples};
-pub use words::{kinds_of_words, listed_by_message, quoted};
+pub use words::{kinds_of_words, quoted};
