@@ -5,6 +5,7 @@ import os
 import subprocess
 import sys
 import textwrap
+import signal
 import threading
 import time
 
@@ -109,6 +110,8 @@ def test_nothing_half_written_stays(bar, tmp_path):
 def test_ctrl_c_ends_a_long_sweep(m, threads):
     linkage.set_threads(threads)
     phi = np.zeros(20_000_000) if threads == 1 else np.zeros(30_000_000)
+    # A process in the background of a shell begins with the signal ignored.
+    earlier = signal.signal(signal.SIGINT, signal.default_int_handler)
     timer = threading.Timer(0.2, _thread.interrupt_main)
     m.path(phi[:10])
     began = time.perf_counter()
@@ -118,6 +121,7 @@ def test_ctrl_c_ends_a_long_sweep(m, threads):
         for _ in range(1000):
             m.motion(phi)
     timer.join()
+    signal.signal(signal.SIGINT, earlier)
     assert time.perf_counter() - began < 30
     assert np.isfinite(m.motion(1.0).psi)
 
