@@ -226,7 +226,8 @@ class BoundFunction:
     It takes the function's arguments in order or by name, then dimensions by name: numbers or
     arrays of any shape, which are broadcast together. Where arrays of dimensions are given, each
     position is another mechanism in the modes of this assembly. `out` takes a result of the same
-    function and size whose arrays are filled again, which saves the time for new memory.
+    function and size whose arrays are filled again, which saves the time for new memory: it is
+    returned, with the new arguments.
 
     Numbers of `uncertainties` and GTC may be inputs and dimensions of one position: results are
     such numbers, too.
@@ -343,9 +344,9 @@ def evaluate(
         return Result(function, shape, arguments, np.array(numbers).reshape(-1, 1))
     wanted = (len(function.columns), _numbers.size(shape))
     if reused is None:
-        out = np.empty(wanted)
+        result = Result(function, shape, arguments, np.empty(wanted))
     elif reused._numbers.shape == wanted and reused.function == function:
-        out = reused._numbers
+        result = reused._refilled(shape, arguments)
     else:
         raise ValueError(
             f"`out` is a result of `{reused.function.name}` at {reused.shape}: a result of "
@@ -356,13 +357,13 @@ def evaluate(
 
         machine = code_assembly(bound.assembly)
         if machine is not None:
-            machine.sweep(function.index, flat, out, threads())
-            return Result(function, shape, arguments, out)
+            machine.sweep(function.index, flat, result._numbers, threads())
+            return result
     sets = None
     if dimensions:
         base = [np.array([number]) for number in native.dimensions]
         for index, one in zip(dimensions, flat[len(given) :]):
             base[index] = one
         sets = base
-    native.sweep(function.index, sets, flat[: len(given)], out, threads())
-    return Result(function, shape, arguments, out)
+    native.sweep(function.index, sets, flat[: len(given)], result._numbers, threads())
+    return result

@@ -76,6 +76,13 @@ class Result(Mapping):
         self._numbers = numbers
         self._fields: dict[str, Any] = {}
 
+    def _refilled(self, shape: tuple, arguments: dict) -> Result:
+        """Returns this result for other arguments, whose numbers are written next."""
+        self.shape = shape
+        self.arguments = arguments
+        self._fields.clear()
+        return self
+
     def __getitem__(self, name: str) -> Any:
         if name not in self._fields:
             field = self.function.fields.get(name)

@@ -2,10 +2,10 @@
 
 import _thread
 import os
+import signal
 import subprocess
 import sys
 import textwrap
-import signal
 import threading
 import time
 

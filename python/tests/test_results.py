@@ -93,8 +93,10 @@ def test_out_is_filled_again(m):
     first = m.motion(phi)
     expected = m.motion(phi + 0.1).psi.copy()
     again = m.motion(phi + 0.1, out=first)
-    assert again._numbers is first._numbers
+    assert again is first
     assert (again.psi == expected).all()
+    # Arguments are those of the numbers.
+    assert (again.arguments["phi"] == phi + 0.1).all()
     with pytest.raises(ValueError, match="`out` is a result of `motion` at"):
         m.motion(phi[:5], out=first)
     with pytest.raises(ValueError, match="a result of `path`"):
