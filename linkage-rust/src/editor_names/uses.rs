@@ -10,6 +10,8 @@ use proc_macro2::{Delimiter, Ident, TokenStream, TokenTree};
 pub(super) struct Block {
     /// The mechanism's name.
     pub(super) name: String,
+    /// This name after `impl`.
+    pub(super) implemented: Option<Ident>,
     pub(super) uses: Vec<Use>,
     /// The results of its functions.
     pub(super) results: Vec<ResultType>,
@@ -45,13 +47,17 @@ pub(super) fn blocks(tokens: TokenStream) -> Vec<Block> {
             }
             TokenTree::Ident(ident) => name = Some(ident),
             TokenTree::Group(group) if group.delimiter() == Delimiter::Brace => {
+                let mechanism = name.take();
                 let mut block = Block {
-                    name: name.take().map(|name| name.to_string()).unwrap_or_default(),
+                    name: mechanism.as_ref().map(Ident::to_string).unwrap_or_default(),
                     ..Block::default()
                 };
                 match word.take().as_deref() {
                     Some("struct") => items(group.stream(), &mut block),
-                    Some(_) => functions(group.stream(), &mut block),
+                    Some(_) => {
+                        functions(group.stream(), &mut block);
+                        block.implemented = mechanism;
+                    }
                     None => continue,
                 }
                 blocks.push(block);

@@ -289,9 +289,12 @@ fn a_name_is_renamed_everywhere(project: &Project, analyzer: &mut Analyzer) {
 /// The names after the words of items, each with its offset.
 fn declared(text: &str) -> Vec<(usize, &str)> {
     let all = words(text);
+    let items = [
+        "struct", "fn", "param", "input", "unknown", "let", "argument", "part", "body", "joint",
+        "link",
+    ];
     let pairs = all.windows(2).filter(|pair| {
-        ["param", "input", "unknown", "let", "link", "part"].contains(&pair[0].1)
-            && text[pair[0].0 + pair[0].1.len()..pair[1].0] == *" "
+        items.contains(&pair[0].1) && text[pair[0].0 + pair[0].1.len()..pair[1].0] == *" "
     });
     let end = text.find("\n}\n").expect("the macro ends");
     pairs
