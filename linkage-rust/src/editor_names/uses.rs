@@ -2,7 +2,7 @@
 //! written has its names, too.
 
 use crate::spanned::aside;
-use linkage_language::syntax::{ItemWord, LinkedWord, Word, is_unit};
+use linkage_language::syntax::{ItemWord, LinkedWord, Word, is_clause_word, is_unit};
 use proc_macro2::{Delimiter, Ident, TokenStream, TokenTree};
 
 /// A struct block or an `impl` block.
@@ -30,7 +30,7 @@ pub(super) enum Use {
     Name { path: Vec<Ident>, declares: bool },
     /// The word in front of a parenthesis.
     Call(Ident),
-    /// The word that an item begins with.
+    /// The word that an item or a clause begins with.
     Item(Ident),
 }
 
@@ -167,7 +167,15 @@ fn quantities(tokens: &[TokenTree], uses: &mut Vec<Use>) -> Vec<String> {
 
 fn expression(tokens: &[TokenTree], declares: Declares, uses: &mut Vec<Use>) {
     let mut index = 0;
+    // After a value, the word of a clause is no name.
+    let mut is_after_value = false;
     while let Some(token) = tokens.get(index) {
+        let is_word = is_after_value
+            || is_punct(
+                index.checked_sub(1).and_then(|before| tokens.get(before)),
+                ',',
+            ) && begins_clause(&tokens[index + 1..]);
+        is_after_value = !matches!(token, TokenTree::Punct(_));
         index += 1;
         match token {
             TokenTree::Group(group) => {
@@ -176,6 +184,10 @@ fn expression(tokens: &[TokenTree], declares: Declares, uses: &mut Vec<Use>) {
                     (Delimiter::Brace, Some(TokenTree::Ident(part))) => given(part, &inner, uses),
                     _ => expression(&inner, Declares::Nothing, uses),
                 }
+            }
+            TokenTree::Ident(name) if is_word && is_clause_word(&name.to_string()) => {
+                is_after_value = false;
+                uses.push(Use::Item(name.clone()));
             }
             TokenTree::Ident(name) => {
                 let declares = match declares {
@@ -200,6 +212,17 @@ fn expression(tokens: &[TokenTree], declares: Declares, uses: &mut Vec<Use>) {
             TokenTree::Punct(_) | TokenTree::Literal(_) => {}
         }
     }
+}
+
+/// Returns true for tokens that can follow the word of a clause.
+fn begins_clause(tokens: &[TokenTree]) -> bool {
+    let is_plain = |index| match tokens.get(index) {
+        Some(TokenTree::Ident(name)) => !is_clause_word(&name.to_string()),
+        Some(TokenTree::Group(_) | TokenTree::Literal(_)) => true,
+        Some(TokenTree::Punct(_)) | None => false,
+    };
+    let is_named = matches!(tokens.first(), Some(TokenTree::Ident(_))) && !is_plain(1);
+    is_plain(0) || is_named
 }
 
 /// `NAME = expression, ...` of a part: the names are those of its mechanism.

@@ -59,7 +59,25 @@ pub fn place() -> f64 {
 }
 ";
 
-const MODULES: [(&str, &str); 5] = [
+/// Names that are words of clauses, too.
+const WORDS: &str = "linkage::mechanism! {
+    pub struct Press {
+        unit mm;
+        param mass = 2kg;
+        input at = 0deg in 0deg..360deg;
+        unknown turns = 10deg;
+        let point = (10mm, 0mm);
+        loop turns = at;
+        body arm = pin on frame at point, turns turns, mass mass at point;
+    }
+    impl Press {
+        pub fn motion(at) -> Motion { turns, point }
+    }
+}
+";
+
+const MODULES: [(&str, &str); 6] = [
+    ("words", WORDS),
     ("slider", SLIDER),
     ("joints", JOINTS),
     (
