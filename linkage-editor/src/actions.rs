@@ -81,6 +81,11 @@ fn declarations(document: &Document, diagnostic: &Diagnostic) -> Vec<Fix> {
     if is_used || is_member || is_of_language(word) || outline.find(word).is_some() {
         return Vec::new();
     }
+    // The message has a better advice, or the word is a function, a joint or that of an item.
+    let is_called = document.text[range.end..].trim_start().starts_with('(');
+    if !diagnostic.fixes.is_empty() || is_called || !is_value(document, outline, range.start) {
+        return Vec::new();
+    }
     let Some(location) = item_at(document, outline, range.start) else {
         return Vec::new();
     };
@@ -94,6 +99,16 @@ fn declarations(document: &Document, diagnostic: &Diagnostic) -> Vec<Fix> {
         declared(format!("unknown {word} = 10{length}")),
         declared(format!("param {word} = 10{length}")),
     ]
+}
+
+/// Returns false at the beginning of an item, and for a joint of a link.
+fn is_value(document: &Document, outline: &Outline, offset: usize) -> bool {
+    let Some(item) = item_at(document, outline, offset).filter(|item| *item <= offset) else {
+        return true;
+    };
+    let before = document.text[item..offset].trim_end();
+    let is_joint = before.starts_with("link ") && before.ends_with([':', ',']);
+    !before.is_empty() && !is_joint
 }
 
 /// Returns true for a word that has a meaning without a declaration.

@@ -2,15 +2,17 @@
 
 use std::ops::Range;
 
+use crate::declaration::NameKind;
 use crate::diagnostics::Edit;
 use crate::document::Document;
 use crate::lexer::{Kind, tokens};
-use crate::uses::Symbol;
-use linkage_language::syntax::is_keyword;
+use crate::uses::{Symbol, declaration};
+use linkage_language::syntax::{MarkWord, Word, is_keyword};
 
 /// Returns the bytes of the name at a byte that can be renamed.
 pub(crate) fn renamable(document: &Document, offset: usize) -> Option<Range<usize>> {
-    Some(document.use_at(offset)?.range.clone())
+    let found = document.use_at(offset)?;
+    (!is_frame(document, found.symbol)).then(|| found.range.clone())
 }
 
 /// Returns the changes that give the name at a byte another text. Fields of results keep their
@@ -21,6 +23,9 @@ pub(crate) fn renamable(document: &Document, offset: usize) -> Option<Range<usiz
 /// The reason, if there is no name at the byte, the new text is no name, or another name has it.
 pub(crate) fn renamed(document: &Document, offset: usize, name: &str) -> Result<Vec<Edit>, String> {
     let found = document.use_at(offset).ok_or("there is no name here")?;
+    if is_frame(document, found.symbol) {
+        return Err("`frame` is the link that does not move, and keeps its name".to_owned());
+    }
     let is_name = matches!(&tokens(name)[..], [only] if only.kind == Kind::Word);
     if !is_name || name.starts_with("__") || is_keyword(name) {
         return Err(format!("`{name}` is no name"));
@@ -59,4 +64,10 @@ pub(crate) fn renamed(document: &Document, offset: usize, name: &str) -> Result<
     Ok(uses
         .map(|other| edit(&other.range, other.is_shorthand))
         .collect())
+}
+
+/// Returns true for the link that does not move: another name is another link.
+fn is_frame(document: &Document, symbol: Symbol) -> bool {
+    let declared = declaration(&document.outlines, symbol);
+    declared.kind == NameKind::Link && declared.name == MarkWord::Frame.word()
 }

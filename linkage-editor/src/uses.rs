@@ -3,7 +3,7 @@
 use std::ops::Range;
 
 use linkage_language::model::CalledWord;
-use linkage_language::syntax::{ClauseWord, Word};
+use linkage_language::syntax::{ItemWord, JointKind, Word, is_clause_word};
 
 use crate::declaration::{Declaration, NameKind};
 use crate::lexer::{Kind, Token};
@@ -141,7 +141,7 @@ impl UseSearch<'_> {
         if let Some(part) = self.given(mechanism, index) {
             return Some(self.found(index, self.name(part, word)?));
         }
-        if self.is_called(index) || self.is_clause(index) {
+        if self.is_called(index) || self.is_of_language(index) {
             return None;
         }
         Some(self.found(index, self.name(mechanism, word)?))
@@ -233,12 +233,48 @@ impl UseSearch<'_> {
         self.text(index + 1) == "(" && CalledWord::from_word(self.text(index)).is_some()
     }
 
-    /// True for the word of a clause: after a value, where no name can be.
+    /// True for a word of the language, where no name can be.
+    fn is_of_language(&self, index: usize) -> bool {
+        let before = |count| {
+            index
+                .checked_sub(count)
+                .map_or("", |index| self.text(index))
+        };
+        let is_kind = before(1) == "=" && before(3) == "body";
+        is_kind && JointKind::from_word(self.text(index)).is_some()
+            || self.begins_item(index)
+            || self.is_clause(index)
+    }
+
+    /// True for the word that an item begins with.
+    fn begins_item(&self, index: usize) -> bool {
+        let before = index.checked_sub(1).map_or("", |before| self.text(before));
+        matches!(before, ";" | "{" | "]") && ItemWord::from_word(self.text(index)).is_some()
+    }
+
+    /// True for the word of a clause: after a value, or after a comma and in front of a value.
     fn is_clause(&self, index: usize) -> bool {
-        if ClauseWord::from_word(self.text(index)).is_none() {
+        if index == 0 || !is_clause_word(self.text(index)) {
             return false;
         }
-        let before = &self.solid[index.saturating_sub(1)];
-        matches!(before.kind, Kind::Word | Kind::Number | Kind::Close)
+        match self.solid[index - 1].kind {
+            Kind::Word => !self.begins_item(index - 1) && !self.is_clause(index - 1),
+            Kind::Number | Kind::Close => true,
+            _ => self.text(index - 1) == "," && self.begins_clause(index),
+        }
+    }
+
+    /// True for a word of clauses after a comma that begins one: a value or a name follows.
+    fn begins_clause(&self, index: usize) -> bool {
+        let is_plain = |index: usize| {
+            let token = self.solid.get(index);
+            token.is_some_and(|token| match token.kind {
+                Kind::Word => !is_clause_word(token.text(self.text)),
+                kind => matches!(kind, Kind::Number | Kind::Open),
+            })
+        };
+        // `mass mass at q`, but not the joint in `b, free at phi`.
+        let is_named = || is_clause_word(self.text(index + 1)) && !is_plain(index + 2);
+        is_plain(index + 1) || is_named()
     }
 }

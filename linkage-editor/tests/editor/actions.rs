@@ -106,6 +106,26 @@ fn unknown_words_are_declared() {
 }
 
 #[test]
+fn words_that_can_be_no_value_are_not_declared() {
+    for (name, piece, new) in [
+        ("slider", "let pin = polar(", "let pin = plr("),
+        ("slider", "let pin", "lett"),
+        ("slider", "polar(crank", "polar(cank"),
+        ("joints", "link rod: k", "link rod: kkk"),
+    ] {
+        let document = edited(name, piece, new);
+        assert!(!document.diagnostics().is_empty(), "{new}");
+        let place = after(&document, new.trim_end_matches('('));
+        let all = document.actions(place..place);
+        let mut titles = all.iter().map(|action| &action.fix.title);
+        assert!(
+            titles.all(|title| !title.starts_with("declare")),
+            "{new}: {all:?}"
+        );
+    }
+}
+
+#[test]
 fn a_picture_is_added_once() {
     let drawn = "    /// The links, for the drawing.\n    pub fn shape(phi) -> Shape { shape: picture() }\n";
     let mut slider = edited("slider", drawn, "");

@@ -14,6 +14,15 @@ fn template(name: &str) -> Document {
     Document::new(&format!("{name}.mech"), &text(name))
 }
 
+/// The names of all templates.
+fn templates() -> Vec<String> {
+    let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/../linkage-cli/src/templates");
+    let files = std::fs::read_dir(folder).expect("the folder of templates");
+    let paths = files.map(|file| file.expect("a file").path());
+    let names = paths.map(|path| path.file_stem().expect("a name").display().to_string());
+    names.collect()
+}
+
 /// The text of a template.
 fn text(name: &str) -> String {
     let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/../linkage-cli/src/templates");

@@ -1,8 +1,10 @@
 //! Declarations, uses and new names.
 
-use linkage_editor::{Document, NameKind};
+use std::ops::Range;
 
-use crate::{after, template};
+use linkage_editor::{Document, NameKind, Symbol};
+
+use crate::{after, template, templates};
 
 /// The text after all edits of a renaming.
 fn renamed(document: &Document, offset: usize, name: &str) -> String {
@@ -38,26 +40,60 @@ fn joints_of_links_are_names() {
     assert_eq!(joints.references(after(&joints, "joint b"), true).len(), 4);
 }
 
+/// The names of symbols and those within them.
+fn names(symbols: &[Symbol]) -> Vec<Range<usize>> {
+    let names = symbols
+        .iter()
+        .flat_map(|symbol| std::iter::once(symbol.range.clone()).chain(names(&symbol.inner)));
+    names.collect()
+}
+
 #[test]
 fn renamed_texts_have_no_mistake() {
-    for (name, piece) in [
-        ("slider", "param crank"),
-        ("slider", "unknown slide"),
-        ("slider", "input phi"),
-        ("slider", "struct SliderCrank"),
-        ("slider", "fn stroke"),
-        ("joints", "joint a"),
-        ("joints", "link rocker"),
-        ("joints", "at omega"),
-        ("joints", "argument load"),
-        ("clamp", "let spindle"),
+    let mut count = 0;
+    for name in templates() {
+        let original = template(&name);
+        assert!(original.diagnostics().is_empty());
+        for range in names(&original.symbols()) {
+            let piece = &original.text()[range.clone()];
+            let Ok(_) = original.renamed(range.end, "Renamed") else {
+                assert_eq!(piece, "frame", "{name}");
+                continue;
+            };
+            let new = renamed(&original, range.end, "Renamed");
+            let document = Document::new("renamed.mech", &new);
+            let found = document.diagnostics();
+            assert!(found.is_empty(), "{name} {piece}: {found:?}\n{new}");
+            count += 1;
+        }
+    }
+    assert!(count > 200, "{count}");
+}
+
+#[test]
+fn words_of_the_language_may_be_names() {
+    let text = "struct Press { unit mm; param mass = 2kg; input at = 0deg in 0deg..360deg;
+        unknown turns = 10deg; let pin = (10mm, 0mm); loop turns = at;
+        body arm = pin on frame at pin, turns turns, mass mass at pin; }
+        impl Press { fn f(at) -> F { turns, pin } }";
+    for (piece, uses) in [
+        ("param mass", 2),
+        ("input at", 3),
+        ("unknown turns", 4),
+        ("let pin", 4),
     ] {
-        let mut document = template(name);
-        assert!(document.diagnostics().is_empty());
-        let new = renamed(&document, after(&document, piece), "Renamed");
+        let mut document = Document::new("press.mech", text);
+        assert!(
+            document.diagnostics().is_empty(),
+            "{:?}",
+            document.diagnostics()
+        );
+        let offset = after(&document, piece);
+        assert_eq!(document.references(offset, true).len(), uses, "{piece}");
+        let new = renamed(&document, offset, "other");
         document.set_text(&new);
         let found = document.diagnostics();
-        assert!(found.is_empty(), "{name} {piece}: {found:?}\n{new}");
+        assert!(found.is_empty(), "{piece}: {found:?}\n{new}");
     }
 }
 
@@ -79,6 +115,16 @@ fn names_that_are_taken_are_refused() {
     assert!(slider.renamed(pin, "2a").is_err());
     assert!(slider.renamed(pin, "loop").is_err());
     assert!(slider.renamed(after(&slider, "= polar"), "q").is_err());
+}
+
+#[test]
+fn the_frame_keeps_its_name() {
+    let joints = template("joints");
+    let frame = after(&joints, "link frame");
+    assert_eq!(joints.renamable(frame), None);
+    let refused = joints.renamed(frame, "ground").unwrap_err();
+    assert!(refused.starts_with("`frame` is the link"), "{refused}");
+    assert!(joints.renamable(after(&joints, "link rocker")).is_some());
 }
 
 #[test]

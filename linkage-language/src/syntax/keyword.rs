@@ -1,5 +1,6 @@
 //! Keywords of the language, and those of Rust.
 
+use super::linked_words::{LinkClause, SliderWord, WheelsWord};
 use super::vocabulary::{Word, vocabulary};
 
 vocabulary! {
@@ -165,4 +166,19 @@ const KEYWORDS: [&str; 53] = [
 /// Returns true for a keyword of Rust, which may name nothing.
 pub fn is_keyword(word: &str) -> bool {
     KEYWORDS.contains(&word)
+}
+
+/// Returns true for a word within items that a value or a name can follow, and for a mark at their
+/// end. After a value, none of them is a name.
+pub fn is_clause_word(word: &str) -> bool {
+    let is_mark = MarkWord::from_word(word).is_some_and(|mark| match mark {
+        MarkWord::In | MarkWord::Redundant => true,
+        MarkWord::Frame => false,
+    });
+    is_mark
+        || word == "by"
+        || ClauseWord::from_word(word).is_some()
+        || LinkClause::from_word(word).is_some()
+        || SliderWord::from_word(word).is_some()
+        || WheelsWord::from_word(word).is_some()
 }

@@ -43,7 +43,8 @@ pub use dump::dump;
 pub use expression_tree::*;
 pub use item_name::ItemName;
 pub use keyword::{
-    ClauseWord, DeclarationWord, ItemWord, JointKind, LinkedWord, LoadWord, MarkWord, is_keyword,
+    ClauseWord, DeclarationWord, ItemWord, JointKind, LinkedWord, LoadWord, MarkWord,
+    is_clause_word, is_keyword,
 };
 pub use link_elements::*;
 pub use link_inventory::*;

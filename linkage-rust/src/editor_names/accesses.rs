@@ -32,6 +32,9 @@ pub(super) fn function(index: usize, all: &[Names], blocks: &[&Block]) -> TokenS
             body.extend(fields.map(|(argument, _)| quote!(#argument.#name;)));
         }
     }
+    // They come last, so that no access moves while an item is written.
+    let implemented = blocks.iter().filter_map(|block| block.implemented.as_ref());
+    body.extend(implemented.map(|name| quote!(let _: #name;)));
     let function = format_ident!("__uses_{index}");
     let (argument, holder) = (argument(index), holder(&all[index].mechanism, None));
     let words = words();

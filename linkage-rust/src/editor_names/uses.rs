@@ -2,7 +2,7 @@
 //! written has its names, too.
 
 use crate::spanned::aside;
-use linkage_language::syntax::{ItemWord, LinkedWord, Word, is_unit};
+use linkage_language::syntax::{ItemWord, LinkedWord, Word, is_clause_word, is_unit};
 use proc_macro2::{Delimiter, Ident, TokenStream, TokenTree};
 
 /// A struct block or an `impl` block.
@@ -10,6 +10,8 @@ use proc_macro2::{Delimiter, Ident, TokenStream, TokenTree};
 pub(super) struct Block {
     /// The mechanism's name.
     pub(super) name: String,
+    /// This name after `impl`.
+    pub(super) implemented: Option<Ident>,
     pub(super) uses: Vec<Use>,
     /// The results of its functions.
     pub(super) results: Vec<ResultType>,
@@ -28,7 +30,7 @@ pub(super) enum Use {
     Name { path: Vec<Ident>, declares: bool },
     /// The word in front of a parenthesis.
     Call(Ident),
-    /// The word that an item begins with.
+    /// The word that an item or a clause begins with.
     Item(Ident),
 }
 
@@ -45,13 +47,17 @@ pub(super) fn blocks(tokens: TokenStream) -> Vec<Block> {
             }
             TokenTree::Ident(ident) => name = Some(ident),
             TokenTree::Group(group) if group.delimiter() == Delimiter::Brace => {
+                let mechanism = name.take();
                 let mut block = Block {
-                    name: name.take().map(|name| name.to_string()).unwrap_or_default(),
+                    name: mechanism.as_ref().map(Ident::to_string).unwrap_or_default(),
                     ..Block::default()
                 };
                 match word.take().as_deref() {
                     Some("struct") => items(group.stream(), &mut block),
-                    Some(_) => functions(group.stream(), &mut block),
+                    Some(_) => {
+                        functions(group.stream(), &mut block);
+                        block.implemented = mechanism;
+                    }
                     None => continue,
                 }
                 blocks.push(block);
@@ -161,7 +167,15 @@ fn quantities(tokens: &[TokenTree], uses: &mut Vec<Use>) -> Vec<String> {
 
 fn expression(tokens: &[TokenTree], declares: Declares, uses: &mut Vec<Use>) {
     let mut index = 0;
+    // After a value, the word of a clause is no name.
+    let mut is_after_value = false;
     while let Some(token) = tokens.get(index) {
+        let is_word = is_after_value
+            || is_punct(
+                index.checked_sub(1).and_then(|before| tokens.get(before)),
+                ',',
+            ) && begins_clause(&tokens[index + 1..]);
+        is_after_value = !matches!(token, TokenTree::Punct(_));
         index += 1;
         match token {
             TokenTree::Group(group) => {
@@ -170,6 +184,10 @@ fn expression(tokens: &[TokenTree], declares: Declares, uses: &mut Vec<Use>) {
                     (Delimiter::Brace, Some(TokenTree::Ident(part))) => given(part, &inner, uses),
                     _ => expression(&inner, Declares::Nothing, uses),
                 }
+            }
+            TokenTree::Ident(name) if is_word && is_clause_word(&name.to_string()) => {
+                is_after_value = false;
+                uses.push(Use::Item(name.clone()));
             }
             TokenTree::Ident(name) => {
                 let declares = match declares {
@@ -194,6 +212,17 @@ fn expression(tokens: &[TokenTree], declares: Declares, uses: &mut Vec<Use>) {
             TokenTree::Punct(_) | TokenTree::Literal(_) => {}
         }
     }
+}
+
+/// Returns true for tokens that can follow the word of a clause.
+fn begins_clause(tokens: &[TokenTree]) -> bool {
+    let is_plain = |index| match tokens.get(index) {
+        Some(TokenTree::Ident(name)) => !is_clause_word(&name.to_string()),
+        Some(TokenTree::Group(_) | TokenTree::Literal(_)) => true,
+        Some(TokenTree::Punct(_)) | None => false,
+    };
+    let is_named = matches!(tokens.first(), Some(TokenTree::Ident(_))) && !is_plain(1);
+    is_plain(0) || is_named
 }
 
 /// `NAME = expression, ...` of a part: the names are those of its mechanism.

@@ -59,7 +59,25 @@ pub fn place() -> f64 {
 }
 ";
 
-const MODULES: [(&str, &str); 5] = [
+/// Names that are words of clauses, too.
+const WORDS: &str = "linkage::mechanism! {
+    pub struct Press {
+        unit mm;
+        param mass = 2kg;
+        input at = 0deg in 0deg..360deg;
+        unknown turns = 10deg;
+        let point = (10mm, 0mm);
+        loop turns = at;
+        body arm = pin on frame at point, turns turns, mass mass at point;
+    }
+    impl Press {
+        pub fn motion(at) -> Motion { turns, point }
+    }
+}
+";
+
+const MODULES: [(&str, &str); 6] = [
+    ("words", WORDS),
     ("slider", SLIDER),
     ("joints", JOINTS),
     (
@@ -289,9 +307,12 @@ fn a_name_is_renamed_everywhere(project: &Project, analyzer: &mut Analyzer) {
 /// The names after the words of items, each with its offset.
 fn declared(text: &str) -> Vec<(usize, &str)> {
     let all = words(text);
+    let items = [
+        "struct", "fn", "param", "input", "unknown", "let", "argument", "part", "body", "joint",
+        "link",
+    ];
     let pairs = all.windows(2).filter(|pair| {
-        ["param", "input", "unknown", "let", "link", "part"].contains(&pair[0].1)
-            && text[pair[0].0 + pair[0].1.len()..pair[1].0] == *" "
+        items.contains(&pair[0].1) && text[pair[0].0 + pair[0].1.len()..pair[1].0] == *" "
     });
     let end = text.find("\n}\n").expect("the macro ends");
     pairs
