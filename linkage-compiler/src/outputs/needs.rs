@@ -3,7 +3,7 @@
 use crate::algebra::Algebra;
 use crate::algebra::derivatives::dependence;
 use crate::diagnostic::Reporter;
-use crate::model::EvaluatorDef;
+use crate::model::{EvaluatorDef, Expr, ExprKind, Mechanism, Name};
 
 use super::quantity::Requested;
 
@@ -32,18 +32,25 @@ pub(super) fn check_inputs<'m>(
     );
     needed.extend(&requested.variables);
     for (&input, &origin) in definition.inputs.iter().zip(&definition.input_origins) {
-        if !needed.contains(&input) {
-            reporter.error(
-                origin,
+        if needed.contains(&input) {
+            continue;
+        }
+        let text = name(input);
+        let (fact, help) = match drives_no_link(mechanism, input) {
+            true => (
+                format!("the input `{text}` drives no link"),
+                format!("write `at {text}` after the joints of the link that it turns"),
+            ),
+            false => (
                 format!(
-                    "`{}` does not need the {} `{}`: none of its quantities depends on it\n\
-                     help: remove the argument",
+                    "`{}` does not need the {} `{text}`: none of its quantities depends on it",
                     definition.name,
                     word(input),
-                    name(input)
                 ),
-            );
-        }
+                "remove the argument".to_owned(),
+            ),
+        };
+        reporter.error_with_help(origin, fact, help);
     }
     let missing: Vec<usize> = computed
         .into_iter()
@@ -67,6 +74,18 @@ pub(super) fn check_inputs<'m>(
             ),
         );
     }
+}
+
+/// Returns true for an input that neither links nor loops nor derived quantities mention, in a
+/// mechanism of joints and links.
+fn drives_no_link(mechanism: &Mechanism, input: usize) -> bool {
+    let loops = mechanism.loops.iter().chain(&mechanism.redundant);
+    let sides = loops.flat_map(|equation| [&equation.left, &equation.right]);
+    let lets = mechanism.lets.iter().map(|item| &item.value);
+    let mut parts = lets.chain(sides).flat_map(Expr::parts);
+    let is_input =
+        |part: &Expr| matches!(part.kind, ExprKind::Name(Name::Input(other)) if other == input);
+    mechanism.links.is_some() && input < mechanism.inputs.len() && !parts.any(is_input)
 }
 
 /// One word for all: an input is an argument, too.

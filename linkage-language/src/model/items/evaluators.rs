@@ -17,7 +17,6 @@ use crate::model::symbols::declared_names::{Names, kind};
 use crate::model::symbols::scope::Scope;
 use crate::model::symbols::sink::Sink;
 use crate::model::symbols::site::{Context, Site};
-use crate::model::symbols::values::Values;
 use crate::model::types::{EvaluatorDef, MotionWord, Name, Quantity};
 use crate::syntax::{
     Expr, ExprKind, FunctionDef, Item, MechanismDef, QuantityDef, Word, documentation,
@@ -119,7 +118,7 @@ fn resolve_function(scope: &Scope, sink: &mut Sink, function: &FunctionDef) -> E
     let inputs: Vec<Option<usize>> = function
         .inputs
         .iter()
-        .map(|ident| resolve_listed_input(&scope.names, &scope.values, sink, ident))
+        .map(|ident| resolve_listed_input(scope, sink, ident))
         .collect();
     let repeated = check_repeated(sink, &function.inputs);
     let sound: Option<Vec<usize>> = inputs.iter().copied().collect();
@@ -154,20 +153,18 @@ fn argument_origins(sink: &mut Sink, function: &FunctionDef) -> Vec<OriginId> {
         .collect()
 }
 
-fn resolve_listed_input(
-    names: &Names,
-    values: &Values,
-    sink: &mut Sink,
-    ident: &Ident,
-) -> Option<usize> {
+fn resolve_listed_input(scope: &Scope, sink: &mut Sink, ident: &Ident) -> Option<usize> {
+    let names = &scope.names;
     let text = ident.to_string();
     let inputs = names.names_of(|name| matches!(name, Name::Input(_) | Name::Argument(_)));
     let fact = match names.find(&text) {
         Some(symbol) => match symbol.name {
             Name::Input(input) => return Some(input),
-            Name::Argument(argument) => return Some(values.input_count + argument),
+            Name::Argument(argument) => return Some(scope.values.input_count + argument),
             other => format!("`{text}` is {}, not an input", kind(other)),
         },
+        // The mistake in the links may be that it is not declared.
+        None if inputs.is_empty() && scope.members.links.lost => return None,
         None => format!("unknown input `{text}`"),
     };
     let others = inputs.iter().copied().filter(|input| *input != text);

@@ -5,12 +5,9 @@ use super::driven_angles::report_driven_twice;
 use super::linkage::FRAME;
 use super::printed::in_millimetres;
 use super::sheet::Sheet;
-use super::slides::drawn_in_slot;
+use super::slides::{drawn_in_slot, start_joint};
 use super::wheel_faults::report_wheels;
 use crate::diagnostic::Diagnostics;
-
-/// Lengths in metres below this part of the largest coordinate are none.
-const NONE: f64 = 1e-9;
 
 /// Reports the mistakes of a drawing in the plane.
 pub(super) fn report(sheet: &Sheet, diagnostics: &mut Diagnostics) {
@@ -18,16 +15,8 @@ pub(super) fn report(sheet: &Sheet, diagnostics: &mut Diagnostics) {
     report_joints_at_one_place(sheet, diagnostics);
     report_cylinders(sheet, diagnostics);
     report_pins_beside_slots(sheet, diagnostics);
+    report_starts_of_slots(sheet, diagnostics);
     report_wheels(sheet, diagnostics);
-}
-
-/// Returns the largest coordinate of all joints.
-fn size(sheet: &Sheet) -> f64 {
-    let positions = sheet.drawing.positions.iter().flatten();
-    let coordinates = positions.filter_map(|position| sheet.drawing.coordinates(position));
-    coordinates
-        .flatten()
-        .fold(0.0, |size, coordinate| size.max(coordinate.abs()))
 }
 
 fn report_joints_at_one_place(sheet: &Sheet, diagnostics: &mut Diagnostics) {
@@ -36,12 +25,7 @@ fn report_joints_at_one_place(sheet: &Sheet, diagnostics: &mut Diagnostics) {
         let [first, second, ..] = link.joints[..] else {
             continue;
         };
-        if link.length.is_none()
-            && sheet
-                .drawing
-                .distance(first, second)
-                .is_some_and(|length| length <= NONE * size(sheet))
-        {
+        if link.length.is_none() && sheet.are_at_one_place(first, second) {
             let [one, other] = [first, second].map(|joint| &linkage.joints[joint].name);
             let fact = format!(
                 "`{one}` and `{other}` of `{}` are drawn at one place",
@@ -84,13 +68,34 @@ fn report_pins_beside_slots(sheet: &Sheet, diagnostics: &mut Diagnostics) {
         let Some([_, beside]) = drawn_in_slot(slider, sheet.drawing) else {
             continue;
         };
-        if beside > DRAWN_APART * size(sheet) {
+        if beside > DRAWN_APART * sheet.size() {
             let pin = &sheet.linkage.joints[slider.pin].name;
             let fact = format!(
                 "`{pin}` is drawn {} mm beside the line that it slides on",
                 in_millimetres(beside)
             );
             let help = "draw it on the line, or the line through it";
+            diagnostics.error_with_help((&slider.name).into(), fact, help);
+        }
+    }
+}
+
+/// Reports sliders that count from the drawn position, with inputs of another reference than 0.
+fn report_starts_of_slots(sheet: &Sheet, diagnostics: &mut Diagnostics) {
+    for slider in &sheet.linkage.sliders {
+        let (Some(at), None) = (slider.at, start_joint(slider)) else {
+            continue;
+        };
+        let reference = sheet.drawing.number(&sheet.drawing.at_reference(at));
+        if let Some(reference) = reference
+            && reference.abs() > DRAWN_APART * sheet.size()
+        {
+            let pin = &sheet.linkage.joints[slider.pin].name;
+            let fact = format!(
+                "`{at}` counts from the drawn position of `{pin}`, but is {} mm at the reference",
+                in_millimetres(reference)
+            );
+            let help = "write `0mm` as the reference, or the start of the slot: `through JOINT`";
             diagnostics.error_with_help((&slider.name).into(), fact, help);
         }
     }

@@ -91,6 +91,10 @@ fn refuse_driven_by_itself(link: &Link, diagnostics: &mut Diagnostics) {
 pub(super) fn check_angle(sheet: &Sheet, link: usize, at: &Expr, diagnostics: &mut Diagnostics) {
     let drawing = sheet.drawing;
     let item = &sheet.linkage.links[link];
+    if sheet.are_at_one_place(item.joints[0], item.joints[1]) {
+        // It is drawn in no direction.
+        return;
+    }
     let written = drawing.at_reference(at);
     let reference = drawing.angle(&written);
     let vector = drawing.vector(item.joints[0], item.joints[1]);

@@ -15,8 +15,8 @@ use super::slides::{
     slot_angle, slot_on_body, start_item, start_joint,
 };
 use super::{
-    curved_slots, drawn_faults, frame_faults, mechanics, mixed_coordinates, space, wheels,
-    written_measures,
+    curved_slots, drawn_faults, frame_faults, mechanics, mixed_coordinates, space,
+    undeclared_inputs, wheels, written_measures,
 };
 use crate::diagnostic::Diagnostics;
 use crate::model::types::Function;
@@ -35,6 +35,7 @@ pub(super) fn items(
     mixed_coordinates::report(linkage, diagnostics);
     if diagnostics.is_empty() {
         written_measures::report(definition, linkage, drawing, diagnostics);
+        undeclared_inputs::report(definition, linkage, drawing, diagnostics);
     }
     frame_faults::report_missing_frame(linkage, diagnostics);
     if !diagnostics.is_empty() {

@@ -32,6 +32,7 @@ mod sheet;
 mod slides;
 mod space;
 mod space_progress;
+mod undeclared_inputs;
 mod wheel_faults;
 mod wheels;
 mod written_measures;

@@ -4,6 +4,7 @@
 use super::drawing::{Drawing, nominal};
 use super::linkage::{Joint, Linkage, Path};
 use super::measure::{Measure, measure};
+use super::printed::in_millimetres;
 use crate::diagnostic::text::list;
 use crate::diagnostic::{Diagnostics, SourceSpan};
 use crate::syntax::{Expr, ExprKind, Item, MechanismDef};
@@ -32,6 +33,7 @@ pub(super) fn report(
         if let Some(length) = link.length.map(nominal) {
             let of = format!("the {} of `{name}`", link.length_word);
             refuse_angle(&length, &of, drawing, diagnostics);
+            refuse_no_length(&length, &of, drawing, diagnostics);
         }
     }
     for slider in &linkage.sliders {
@@ -175,4 +177,21 @@ fn refuse_angle(value: &Expr, of: &str, drawing: &Drawing, diagnostics: &mut Dia
         let help = "write a length, like `50mm`; the direction of a link is written `at ANGLE`";
         diagnostics.error_with_help(value.span, fact, help);
     }
+}
+
+/// Reports a constant length that is zero or negative.
+fn refuse_no_length(value: &Expr, of: &str, drawing: &Drawing, diagnostics: &mut Diagnostics) {
+    if !matches!(measure(drawing, value), Measure::Length | Measure::Zero) {
+        return;
+    }
+    let length = drawing.is_constant(value).then(|| drawing.number(value));
+    let fact = match length.flatten() {
+        Some(length) if length < 0.0 => {
+            format!("{of} is negative: {} mm", in_millimetres(length))
+        }
+        Some(0.0) => format!("{of} is zero"),
+        _ => return,
+    };
+    let help = "write the distance of its joints, which is positive, or leave it out: it is drawn";
+    diagnostics.error_with_help(value.span, fact, help);
 }
