@@ -266,3 +266,49 @@ fn bodies_of_loops_have_the_closing_pin() {
         assert!(linkage_engine::Mechanism::compile(&text).is_ok(), "{text}");
     }
 }
+
+/// Every attribute of a default, an actuator, an equality or the compiler is read or named.
+#[test]
+fn settings_that_are_not_read_are_named() {
+    let text = text_of("four_bar.xml");
+    assert!(text.contains("<worldbody>") && text.contains("</mujoco>"));
+    let joint = "<default><default class=\"a\"><joint stiffness=\"2\" axis=\"0 0 1\"/>\
+                 <geom rgba=\"1 0 0 1\"/></default></default><worldbody>";
+    let actuator = "<actuator><position joint=\"crank\" gear=\"3\"/></actuator></mujoco>";
+    let changed = text
+        .replacen("<worldbody>", joint, 1)
+        .replacen("</mujoco>", actuator, 1);
+    let warnings = |text: &str| {
+        let imported = linkage_import::import(text.as_bytes(), "a.xml", &Options::default());
+        imported.expect("a model").warnings.join("\n")
+    };
+    let [plain, named] = [warnings(&text), warnings(&changed)];
+    for part in [
+        "stiffness of default joints",
+        "default geom",
+        "gear of actuators",
+    ] {
+        assert!(named.contains(part), "{named}");
+        assert!(!plain.contains(part), "{plain}");
+    }
+    assert!(!named.contains("axis of"), "{named}");
+}
+
+#[test]
+fn wheels_on_the_middle_are_on_no_side() {
+    let table = text_of("double_wishbone.csv");
+    let mut centre = table
+        .lines()
+        .filter(|line| line.starts_with("wheel_centre,"));
+    let line = centre.next().expect("the wheel centre");
+    let cells: Vec<&str> = line.split(',').collect();
+    let on_middle = line.replacen(&format!(",{},", cells[2]), ",0,", 1);
+    let table = table.replace(line, &on_middle);
+    let said = refused(&table, "a.csv", &hard_points("forward,left,up", "left"));
+    assert!(
+        said.starts_with(
+            "with these axes the wheel centre is on the middle, which is not the left side"
+        ),
+        "{said}"
+    );
+}
