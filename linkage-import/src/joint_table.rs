@@ -314,6 +314,12 @@ fn slot(
 ) -> Result<(), ImportError> {
     let name = shown(table.cell(row, "name"));
     let along = table.cell(row, "along");
+    if along.is_empty() {
+        return Err(ImportError::new(format!(
+            "the slot `{name}` has no `along`\nhelp: it is the direction in degrees, or two joints \
+             of the link that has the slot"
+        )));
+    }
     let path = if let Some((first, second)) = along.split_once(char::is_whitespace) {
         SlotPath::Joints(table.joint(first)?, table.joint(second.trim())?)
     } else {

@@ -133,6 +133,41 @@ fn pylinkage_has_positions_and_no_lengths() {
     assert_eq!(from_json.text.replace("a.json", "a.py"), from_python.text);
 }
 
+/// Positions are taken, and what contradicts them is named with its distance.
+#[test]
+fn pylinkage_names_what_contradicts_positions() {
+    let warnings = |line_point: &str, distance: &str, angle: &str| {
+        let json = format!(
+            r#"{{"joints": [
+            {{"id": "O", "type": "ground", "position": [0, 0]}},
+            {{"id": "A", "position": [0, 1]}},
+            {{"id": "B", "type": "prismatic", "position": [4, 1], "axis": [0, 2],
+             "line_point": {line_point}}},
+            {{"id": "T", "type": "tracker", "position": [0, 3], "ref_joint1_id": "A",
+             "ref_joint2_id": "B", "distance": {distance}, "angle": {angle}}}],
+            "links": [{{"id": "c", "type": "driver", "joints": ["O", "A"], "motor_joint": "O"}},
+            {{"id": "r", "joints": ["A", "B"]}}]}}"#
+        );
+        let warnings = of_text(&json, "a.json").warnings.into_iter();
+        let about = warnings.filter(|warning| warning.contains(" beside "));
+        about.collect::<Vec<String>>()
+    };
+    let quarter = "1.5707963267948966";
+    assert!(warnings("[4, -7]", "2", quarter).is_empty());
+    assert_eq!(
+        warnings("[4.5, -7]", "2", quarter),
+        [
+            "the joint `B` is 0.5 beside the line through its `line_point`: the line through its \
+          position is taken"
+        ]
+    );
+    assert_eq!(
+        warnings("[4, 0]", "2.25", quarter),
+        ["the tracker `T` is 0.25 beside its `distance` and `angle`: its position is taken"]
+    );
+    assert_eq!(warnings("[4, 0]", "2", "-1.5707963267948966").len(), 1);
+}
+
 #[test]
 fn tables_have_all_kinds_of_joints() {
     let table = "name;kind;x [cm];y [cm];links;along;input\n\
