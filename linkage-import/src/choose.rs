@@ -5,41 +5,60 @@ use crate::error::ImportError;
 use crate::mobility::mobility;
 use crate::names::shown;
 
-/// Takes the inputs that the user names: a pivot and another joint of the link that turns.
+/// Takes the inputs that the user names: a pivot and another joint of the link that turns, or a
+/// joint that has a slot. Without them, doubts about those of the file become warnings.
 pub(crate) fn named(document: &mut Document, pairs: &[String]) -> Result<(), ImportError> {
+    let doubts = std::mem::take(&mut document.doubts);
     if pairs.is_empty() {
+        document.warnings.extend(doubts);
         return Ok(());
     }
     document.inputs.clear();
     for pair in pairs {
-        let (pivot, other) = pair.split_once(',').ok_or_else(|| {
-            ImportError::new(format!(
-                "the input `{}` is no pair\nhelp: give a pivot and another joint of the link that \
-                 turns, with a comma between them",
-                shown(pair)
-            ))
-        })?;
-        let pivot = joint(document, pivot.trim())?;
-        let other = joint(document, other.trim())?;
-        let links = document.links_of(pivot);
-        let is_turned =
-            |link: &&usize| **link != FRAME && document.links[**link].joints.contains(&other);
-        let link = links.iter().find(is_turned).copied();
-        let base = links.iter().find(|base| Some(**base) != link).copied();
-        let (Some(link), Some(base)) = (link, base) else {
-            return Err(ImportError::new(format!(
-                "no link turns about the first joint of `{}` and has the second one",
-                shown(pair)
-            )));
+        let kind = match pair.split_once(',') {
+            Some((pivot, other)) => crank(document, pair, [pivot, other])?,
+            None => slide(document, pair)?,
         };
         document.inputs.push(Input {
-            kind: InputKind::Crank { link, pivot, base },
+            kind,
             travel: None,
             speed: None,
             rate: None,
         });
     }
     Ok(())
+}
+
+/// Returns the link that turns about the first joint of a pair and has the second one.
+fn crank(document: &Document, pair: &str, names: [&str; 2]) -> Result<InputKind, ImportError> {
+    let pivot = joint(document, names[0].trim())?;
+    let other = joint(document, names[1].trim())?;
+    let links = document.links_of(pivot);
+    let is_turned =
+        |link: &&usize| **link != FRAME && document.links[**link].joints.contains(&other);
+    let link = links.iter().find(is_turned).copied();
+    let base = links.iter().find(|base| Some(**base) != link).copied();
+    let (Some(link), Some(base)) = (link, base) else {
+        return Err(ImportError::new(format!(
+            "no link turns about the first joint of `{}` and has the second one",
+            shown(pair)
+        )));
+    };
+    Ok(InputKind::Crank { link, pivot, base })
+}
+
+/// Returns the position of a joint in its slot.
+fn slide(document: &Document, name: &str) -> Result<InputKind, ImportError> {
+    let pin = joint(document, name.trim())?;
+    let mut slots = document.slots.iter();
+    let slot = slots.position(|slot| slot.pin == pin).ok_or_else(|| {
+        ImportError::new(format!(
+            "the input `{}` is no pair, and the joint has no slot\nhelp: give a pivot and another \
+             joint of the link that turns, with a comma between them, or a joint that has a slot",
+            shown(name)
+        ))
+    })?;
+    Ok(InputKind::Position { slot })
 }
 
 fn joint(document: &Document, name: &str) -> Result<usize, ImportError> {

@@ -37,6 +37,8 @@ pub(crate) struct Document {
     pub(crate) gears: Vec<GearPair>,
     pub(crate) inputs: Vec<Input>,
     pub(crate) loads: Vec<PlacedLoad>,
+    /// Doubts about the inputs of the file: warnings, unless the user names others.
+    pub(crate) doubts: Vec<String>,
     /// Facts for the comments of the text.
     pub(crate) remarks: Vec<String>,
     /// Everything that was not taken, or that the user should confirm.
@@ -59,6 +61,7 @@ impl Document {
             gears: Vec::new(),
             inputs: Vec::new(),
             loads: Vec::new(),
+            doubts: Vec::new(),
             remarks: Vec::new(),
             warnings: Vec::new(),
         }

@@ -1,6 +1,7 @@
 //! The formats that are read, and their recognition.
 
 use crate::error::ImportError;
+use crate::names::shown;
 
 /// A format of files of other programs.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -91,6 +92,13 @@ impl Format {
             "urdf" => return Ok(Self::Urdf),
             "sdf" => return Ok(Self::Sdf),
             "mjcf" => return Ok(Self::Mjcf),
+            "mech" => {
+                return Err(ImportError::new(format!(
+                    "`{}` is a mechanism already\nhelp: the other commands read it as it is, as \
+                     `linkage check`",
+                    shown(name)
+                )));
+            }
             _ => {}
         }
         let start = &content[..content.len().min(LOOKED_AT)];

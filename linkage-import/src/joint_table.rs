@@ -266,25 +266,7 @@ fn connect(table: &mut Table, row: &StringRecord) -> Result<(), ImportError> {
     }
     match &kind[..] {
         "" | "pin" | "r" => Ok(()),
-        "motor" => {
-            let [base, link, ..] = links[..] else {
-                return Err(ImportError::new(format!(
-                    "the motor `{}` needs two links, the fixed one first",
-                    shown(&name)
-                )));
-            };
-            table.document.inputs.push(Input {
-                kind: InputKind::Crank {
-                    link,
-                    pivot: pin,
-                    base,
-                },
-                travel: None,
-                speed: None,
-                rate: None,
-            });
-            Ok(())
-        }
+        "motor" => motor(table, &name, pin, &links),
         "slot" | "block" => slot(table, row, pin, &links, kind == "block"),
         other => Err(ImportError::new(format!(
             "`{}` is of the kind `{}`\nhelp: kinds are pin, motor, slot, block and cylinder",
@@ -292,6 +274,35 @@ fn connect(table: &mut Table, row: &StringRecord) -> Result<(), ImportError> {
             shown(other)
         ))),
     }
+}
+
+/// Drives the second link against the first one. The fixed link never turns: it is the first.
+fn motor(table: &mut Table, name: &str, pivot: usize, links: &[usize]) -> Result<(), ImportError> {
+    let (base, link) = match *links {
+        [turned, FRAME, ..] if turned != FRAME => {
+            table.document.warnings.push(format!(
+                "the motor `{}` names the fixed link second: the angle of `{}` is taken, which has \
+                 the opposite sign",
+                shown(name),
+                shown(&table.document.links[turned].name)
+            ));
+            (FRAME, turned)
+        }
+        [base, link, ..] => (base, link),
+        _ => {
+            return Err(ImportError::new(format!(
+                "the motor `{}` needs two links, the fixed one first",
+                shown(name)
+            )));
+        }
+    };
+    table.document.inputs.push(Input {
+        kind: InputKind::Crank { link, pivot, base },
+        travel: None,
+        speed: None,
+        rate: None,
+    });
+    Ok(())
 }
 
 fn slot(
@@ -303,6 +314,12 @@ fn slot(
 ) -> Result<(), ImportError> {
     let name = shown(table.cell(row, "name"));
     let along = table.cell(row, "along");
+    if along.is_empty() {
+        return Err(ImportError::new(format!(
+            "the slot `{name}` has no `along`\nhelp: it is the direction in degrees, or two joints \
+             of the link that has the slot"
+        )));
+    }
     let path = if let Some((first, second)) = along.split_once(char::is_whitespace) {
         SlotPath::Joints(table.joint(first)?, table.joint(second.trim())?)
     } else {

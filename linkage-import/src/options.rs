@@ -9,8 +9,8 @@ pub struct Options {
     pub format: Option<Format>,
     /// The name of the mechanism, otherwise from the name of the file.
     pub mechanism: Option<String>,
-    /// Inputs: a pivot and another joint of the link that turns, `"p0,p1"`. They replace those of
-    /// the file.
+    /// Inputs: a pivot and another joint of the link that turns, `"p0,p1"`, or a joint that has a
+    /// slot, `"p2"`. They replace those of the file.
     pub inputs: Vec<String>,
     /// For URDF: a table of the joints that close loops, as CSV with the columns `name`, `kind`,
     /// `link1`, `x1`, `y1`, `z1`, `link2`, `x2`, `y2`, `z2`, `axis_x`, `axis_y`, `axis_z`.

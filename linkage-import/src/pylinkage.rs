@@ -13,6 +13,7 @@ use crate::error::ImportError;
 use crate::names::shown;
 use crate::number::plain;
 
+mod contradictions;
 mod python;
 
 /// Reads a file.
@@ -42,8 +43,8 @@ pub(crate) fn read(content: &[u8]) -> Result<Document, ImportError> {
         document,
         joints: BTreeMap::new(),
     };
-    let joints = list(&value, "joints")?;
-    let links = list(&value, "links")?;
+    let [joints, links] = ["joints", "links"].map(|name| list(&value, name));
+    let (joints, links) = (joints.map_err(foreign)?, links.map_err(foreign)?);
     if joints.len() > MOST_JOINTS || links.len() > MOST_LINKS {
         return Err(ImportError::new("the file has too many joints or links"));
     }
@@ -77,6 +78,14 @@ impl Sheet {
 fn list<'t>(value: &'t Value, name: &str) -> Result<&'t Vec<Value>, ImportError> {
     let list = value.get(name).and_then(Value::as_array);
     list.ok_or_else(|| ImportError::new(format!("the file has no list `{name}`")))
+}
+
+/// Adds to a message that the JSON may be that of another program.
+fn foreign(error: ImportError) -> ImportError {
+    ImportError::new(format!(
+        "{error}\nhelp: it is read as a file of pylinkage, which has lists `joints` and `links`; \
+         `--format` names another format"
+    ))
 }
 
 fn text<'t>(value: &'t Value, name: &str) -> Option<&'t str> {
@@ -130,6 +139,7 @@ fn read_joint(sheet: &mut Sheet, value: &Value) -> Result<(), ImportError> {
                 path: SlotPath::Direction(angle, format!("{}rad", plain(angle)), None),
                 block: None,
             });
+            contradictions::name_line(&mut sheet.document, value, joint, angle);
         }
         other => {
             return Err(ImportError::new(format!(
@@ -238,6 +248,7 @@ fn trackers(sheet: &mut Sheet, value: &Value) -> Result<(), ImportError> {
         )));
     };
     let ends = [sheet.joint(first)?, sheet.joint(second)?];
+    contradictions::name_tracker(&mut sheet.document, value, joint, ends);
     let mut links = sheet.document.links.iter();
     let link = links.position(|link| ends.iter().all(|end| link.joints.contains(end)));
     match link {

@@ -35,8 +35,8 @@ pub(super) struct Options {
     /// Lists all formats
     #[arg(long)]
     list: bool,
-    /// An input instead of those of the file: a pivot and another joint of the link that turns;
-    /// of a robot the name of a joint
+    /// An input instead of those of the file: a pivot and another joint of the link that turns,
+    /// or a joint that has a slot; of a robot the name of a joint
     #[arg(long, value_name = "PIVOT,JOINT")]
     input: Vec<String>,
     /// For URDF: a table of the joints that close loops, as CSV

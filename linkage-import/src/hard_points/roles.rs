@@ -216,12 +216,16 @@ fn incomplete(by_role: &BTreeMap<&'static str, Vector>, others: &[String]) -> Im
     };
     let nearest = KINDS.iter().min_by_key(|(_, roles)| missing(roles).len());
     let (kind, roles) = nearest.unwrap_or(&KINDS[0]);
+    let names = others[..others.len().min(20)].join(", ");
+    if by_role.is_empty() {
+        return ImportError::new(format!(
+            "no point has a role: {names}\nhelp: rename the points, or give each its role by `--role ROLE=NAME`; roles are\n{}",
+            list()
+        ));
+    }
     let without = match others.len() {
         0 => String::new(),
-        _ => format!(
-            "; points without a role: {}",
-            others[..others.len().min(20)].join(", ")
-        ),
+        _ => format!("; points without a role: {names}"),
     };
     ImportError::new(format!(
         "the points make no suspension: a {kind} needs also {}{without}\nhelp: rename the points, or give each its role by `--role ROLE=NAME`; roles are\n{}",

@@ -55,6 +55,17 @@ pub(super) struct Suspension {
     pub(super) rack_end: Option<Vector>,
 }
 
+/// Returns the side on which a coordinate to the left is.
+fn side_of(left: f64) -> &'static str {
+    if left > 0.0 {
+        "left of the middle"
+    } else if left < 0.0 {
+        "right of the middle"
+    } else {
+        "on the middle"
+    }
+}
+
 impl Suspension {
     /// Writes all parts of the suspension.
     pub(super) fn new(points: &Points, meaning: &Meaning) -> Result<Self, ImportError> {
@@ -67,12 +78,8 @@ impl Suspension {
         };
         if centre[1] * meaning.outside() <= 0.0 {
             return Err(ImportError::new(format!(
-                "with these axes the wheel centre is {} of the middle, which is not the {} side\nhelp: another `--side`, or other `--axes`; a middle that is not at 0 must be moved there",
-                if centre[1] > 0.0 {
-                    "left"
-                } else {
-                    "right or on it"
-                },
+                "with these axes the wheel centre is {}, which is not the {} side\nhelp: another `--side`, or other `--axes`; a middle that is not at 0 must be moved there",
+                side_of(centre[1]),
                 if meaning.is_left { "left" } else { "right" }
             )));
         }

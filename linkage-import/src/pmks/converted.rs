@@ -190,8 +190,9 @@ fn motors(assembly: &mut Assembly) {
         };
         if !others.is_empty() {
             let name = shown(&assembly.document.links[link].name);
-            assembly.document.warnings.push(format!(
-                "the motor at `{}` could turn several links; it turns `{name}`",
+            assembly.document.doubts.push(format!(
+                "the motor at `{}` could turn several links; it turns `{name}`: `--input \
+                 PIVOT,JOINT` names another one",
                 shown(&motor.name)
             ));
         }

@@ -13,6 +13,7 @@ use crate::xml::XmlElement;
 
 mod constraints;
 mod model_settings;
+mod unused;
 
 use model_settings::Settings;
 
@@ -65,17 +66,12 @@ pub(super) fn read(root: &XmlElement) -> Result<Robot, ImportError> {
         match element.name.as_str() {
             "worldbody" => reader.content(element, world)?,
             "compiler" | "default" | "equality" | "actuator" => {}
-            "option" => {
-                reader.robot.gravity = attribute(element, "gravity")?;
-                let others = element.attributes.iter();
-                for (name, _) in others.filter(|(name, _)| name != "gravity") {
-                    reader.robot.leave_out(&format!("{name} of option"));
-                }
-            }
+            "option" => reader.robot.gravity = attribute(element, "gravity")?,
             "include" => return Err(included(element)),
             other => reader.robot.leave_out(other),
         }
     }
+    unused::name_settings(root, &mut reader.robot);
     for element in root.named("equality").flat_map(|all| &all.children) {
         reader.equality(element)?;
     }
@@ -247,17 +243,7 @@ impl<'t> Reader<'t> {
             let ends: [f64; 2] = super::attribute_numbers::exactly(text, "`range` of a joint")?;
             added.range = Some(ends.map(|end| angle(end) - added.zero));
         }
-        let known = [
-            "name", "class", "type", "pos", "axis", "ref", "range", "limited",
-        ];
-        let others = element.attributes.iter();
-        let others = others.filter(|(name, _)| !known.contains(&name.as_str()));
-        let others: Vec<String> = others
-            .map(|(name, _)| format!("{name} of joints"))
-            .collect();
-        for other in others {
-            self.robot.leave_out(&other);
-        }
+        unused::name_attributes(element, &unused::OF_JOINTS, "joints", &mut self.robot);
         Ok(added)
     }
 

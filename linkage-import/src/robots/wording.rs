@@ -158,6 +158,11 @@ impl<'c> Wording<'c> {
                 (false, false) => " + ",
                 (false, true) => " - ",
             };
+            let is_plain = power == 1 && coefficient.abs() == 1.0;
+            if is_plain && is_length(joint) == is_length(leader) && is_name(led_by) {
+                let _ = write!(text, "{sign}{led_by}");
+                continue;
+            }
             let value = plain(coefficient.abs());
             let _ = write!(text, "{sign}{value}{unit}{}", factor.repeat(power));
         }
@@ -252,4 +257,10 @@ fn followers(chain: &Chain) -> Vec<usize> {
 /// A number with fifteen digits.
 pub(super) fn digits(value: f64) -> String {
     plain(format!("{value:.14e}").parse().unwrap_or(value))
+}
+
+/// Returns true if a text is one name, which takes a sign without brackets.
+fn is_name(text: &str) -> bool {
+    let is_part = |letter: char| letter.is_ascii_alphanumeric() || letter == '_';
+    text.chars().all(is_part)
 }

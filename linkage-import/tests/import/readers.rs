@@ -133,6 +133,41 @@ fn pylinkage_has_positions_and_no_lengths() {
     assert_eq!(from_json.text.replace("a.json", "a.py"), from_python.text);
 }
 
+/// Positions are taken, and what contradicts them is named with its distance.
+#[test]
+fn pylinkage_names_what_contradicts_positions() {
+    let warnings = |line_point: &str, distance: &str, angle: &str| {
+        let json = format!(
+            r#"{{"joints": [
+            {{"id": "O", "type": "ground", "position": [0, 0]}},
+            {{"id": "A", "position": [0, 1]}},
+            {{"id": "B", "type": "prismatic", "position": [4, 1], "axis": [0, 2],
+             "line_point": {line_point}}},
+            {{"id": "T", "type": "tracker", "position": [0, 3], "ref_joint1_id": "A",
+             "ref_joint2_id": "B", "distance": {distance}, "angle": {angle}}}],
+            "links": [{{"id": "c", "type": "driver", "joints": ["O", "A"], "motor_joint": "O"}},
+            {{"id": "r", "joints": ["A", "B"]}}]}}"#
+        );
+        let warnings = of_text(&json, "a.json").warnings.into_iter();
+        let about = warnings.filter(|warning| warning.contains(" beside "));
+        about.collect::<Vec<String>>()
+    };
+    let quarter = "1.5707963267948966";
+    assert!(warnings("[4, -7]", "2", quarter).is_empty());
+    assert_eq!(
+        warnings("[4.5, -7]", "2", quarter),
+        [
+            "the joint `B` is 0.5 beside the line through its `line_point`: the line through its \
+          position is taken"
+        ]
+    );
+    assert_eq!(
+        warnings("[4, 0]", "2.25", quarter),
+        ["the tracker `T` is 0.25 beside its `distance` and `angle`: its position is taken"]
+    );
+    assert_eq!(warnings("[4, 0]", "2", "-1.5707963267948966").len(), 1);
+}
+
 #[test]
 fn tables_have_all_kinds_of_joints() {
     let table = "name;kind;x [cm];y [cm];links;along;input\n\
@@ -152,6 +187,70 @@ fn tables_have_all_kinds_of_joints() {
         text.contains("slider slot_b: b on frame along 30deg, block piston;"),
         "{text}"
     );
+}
+
+/// The fixed link never turns: the other link of the motor does, with the opposite sign.
+#[test]
+fn motors_turn_the_link_that_is_not_fixed() {
+    let table = "name,kind,x (mm),y (mm),links\no,motor,0,0,frame crank\na,pin,20,5,crank rod\n\
+                 b,pin,80,40,rod rocker\nc,pin,90,0,rocker frame\n";
+    let first = of_text(table, "a.csv");
+    let second = of_text(&table.replace("frame crank", "crank frame"), "a.csv");
+    assert!(second.text.contains("link crank: o, a at phi;"));
+    let warning = "the motor `o` names the fixed link second: the angle of `crank` is taken, which \
+                   has the opposite sign";
+    assert!(second.warnings.contains(&warning.to_owned()));
+    assert!(!first.warnings.contains(&warning.to_owned()));
+    let is_item = |line: &&str| !line.trim_start().starts_with("//");
+    let items = |text: &str| text.lines().filter(is_item).collect::<Vec<_>>().join("\n");
+    assert_eq!(items(&first.text), items(&second.text));
+}
+
+#[test]
+fn slides_are_inputs_by_their_joint() {
+    let expression = "M[J[R, P[0, 0], L[ground, a]], J[R, P[10, 10], L[a, b]], \
+                      J[RP, A[0], P[40, 0], L[ground, b]]]";
+    let named = |input: &str| {
+        let options = Options {
+            inputs: vec![input.to_owned()],
+            ..Options::default()
+        };
+        import(expression.as_bytes(), "a.pyslvs", &options)
+    };
+    let text = named("p2").expect("a slot").text;
+    assert!(text.contains("    input travel = "), "{text}");
+    assert!(!text.contains("    input phi"), "{text}");
+    let error = named("p1").expect_err("no slot").to_string();
+    assert!(
+        error.starts_with("the input `p1` is no pair, and the joint has no slot\nhelp: "),
+        "{error}"
+    );
+}
+
+/// A doubt about the motor of the file ends with the option, and goes with it.
+#[test]
+fn doubts_about_motors_name_the_option() {
+    let file = crate::files::folder().join("files/u_c.pmks");
+    let doubts = |inputs: &[&str]| {
+        let options = Options {
+            inputs: inputs.iter().map(|input| (*input).to_owned()).collect(),
+            ..Options::default()
+        };
+        let warnings = imported(&file, &options).warnings;
+        let doubts = warnings.into_iter();
+        doubts
+            .filter(|warning| warning.contains("could turn several links"))
+            .collect::<Vec<String>>()
+    };
+    assert_eq!(
+        doubts(&[]),
+        [
+            "the motor at `j3` could turn several links; it turns `link2`: `--input PIVOT,JOINT` \
+             names another one"
+        ]
+    );
+    assert!(doubts(&["j3,j5"]).is_empty());
+    assert!(doubts(&["j1,j2"]).is_empty());
 }
 
 #[test]

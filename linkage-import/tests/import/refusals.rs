@@ -212,3 +212,32 @@ fn commas_that_may_be_of_numbers_are_refused() {
         "{message}"
     );
 }
+
+/// A message about what is missing names what can be written there, or the format that was taken.
+#[test]
+fn what_is_missing_is_named_with_advice() {
+    let table = "name,kind,x,y,links\no,motor,0,0,frame crank\nb,slot,8,1,frame crank\n";
+    assert_eq!(
+        refused(table, Format::JointTable),
+        "line 3: the slot `b` has no `along`\nhelp: it is the direction in degrees, or two joints \
+         of the link that has the slot"
+    );
+    let foreign = import(
+        br#"{"robot": {"joints": 3}}"#,
+        "a.json",
+        &Options::default(),
+    );
+    let message = foreign.expect_err("another program").to_string();
+    assert!(
+        message
+            .starts_with("the file has no list `joints`\nhelp: it is read as a file of pylinkage"),
+        "{message}"
+    );
+    assert!(message.contains("`--format`"), "{message}");
+    let already = import(b"pub struct A {}", "a.mech", &Options::default());
+    let message = already.expect_err("a mechanism").to_string();
+    assert!(
+        message.starts_with("`a.mech` is a mechanism already\nhelp: "),
+        "{message}"
+    );
+}

@@ -55,13 +55,16 @@ fn axes_unit_and_side_are_asked_for() {
 fn roles_are_asked_for() {
     let table = text_of("five_rods.csv");
     let said = refused(&table, "a.csv", &hard_points("forward,left,up", "left"));
-    assert!(said.contains("points without a role: p1, q1"), "{said}");
+    assert!(said.starts_with("no point has a role: p1, q1"), "{said}");
     assert!(
         said.contains("\n  rod1_inner: first rod on the chassis\n"),
         "{said}"
     );
     let mut options = hard_points("forward,left,up", "left");
-    options.roles.push("rod6_inner=P1".to_owned());
+    options.roles.push("rod1_inner=P1".to_owned());
+    let said = refused(&table, "a.csv", &options);
+    assert!(said.contains("; points without a role: q1, "), "{said}");
+    options.roles = vec!["rod6_inner=P1".to_owned()];
     let said = refused(&table, "a.csv", &options);
     assert!(
         said.starts_with("there is no role `rod6_inner`; there are\n"),
@@ -265,4 +268,84 @@ fn bodies_of_loops_have_the_closing_pin() {
         assert!(text.contains(&pin), "{text}");
         assert!(linkage_engine::Mechanism::compile(&text).is_ok(), "{text}");
     }
+}
+
+/// Every attribute of a default, an actuator, an equality or the compiler is read or named.
+#[test]
+fn settings_that_are_not_read_are_named() {
+    let text = text_of("four_bar.xml");
+    assert!(text.contains("<worldbody>") && text.contains("</mujoco>"));
+    let joint = "<default><default class=\"a\"><joint stiffness=\"2\" axis=\"0 0 1\"/>\
+                 <geom rgba=\"1 0 0 1\"/></default></default><worldbody>";
+    let actuator = "<actuator><position joint=\"crank\" gear=\"3\"/></actuator></mujoco>";
+    let changed = text
+        .replacen("<worldbody>", joint, 1)
+        .replacen("</mujoco>", actuator, 1);
+    let warnings = |text: &str| {
+        let imported = linkage_import::import(text.as_bytes(), "a.xml", &Options::default());
+        imported.expect("a model").warnings.join("\n")
+    };
+    let [plain, named] = [warnings(&text), warnings(&changed)];
+    for part in [
+        "stiffness of default joints",
+        "default geom",
+        "gear of actuators",
+    ] {
+        assert!(named.contains(part), "{named}");
+        assert!(!plain.contains(part), "{plain}");
+    }
+    assert!(!named.contains("axis of"), "{named}");
+}
+
+#[test]
+fn wheels_on_the_middle_are_on_no_side() {
+    let table = text_of("double_wishbone.csv");
+    let mut centre = table
+        .lines()
+        .filter(|line| line.starts_with("wheel_centre,"));
+    let line = centre.next().expect("the wheel centre");
+    let cells: Vec<&str> = line.split(',').collect();
+    let on_middle = line.replacen(&format!(",{},", cells[2]), ",0,", 1);
+    let table = table.replace(line, &on_middle);
+    let said = refused(&table, "a.csv", &hard_points("forward,left,up", "left"));
+    assert!(
+        said.starts_with(
+            "with these axes the wheel centre is on the middle, which is not the left side"
+        ),
+        "{said}"
+    );
+}
+
+#[test]
+fn tables_without_any_role_are_named() {
+    let table = "point,x,y,z\np1,0,420,200\np2,10,430,300\np3,20,440,400\n";
+    let said = refused(table, "a.csv", &hard_points("forward,left,up", "left"));
+    assert!(
+        said.starts_with("no point has a role: p1, p2, p3\nhelp: rename the points"),
+        "{said}"
+    );
+}
+
+/// A joint that is equal to another one, or its opposite, is written without a factor.
+#[test]
+fn equal_joints_have_no_factor() {
+    let lets = |power: &str| {
+        let model = format!(
+            "<mujoco><worldbody><body><joint name=\"left\" axis=\"0 0 1\" range=\"-30 30\"/><geom size=\"1\"/></body>\
+             <body pos=\"1 0 0\"><joint name=\"right\" axis=\"0 0 1\"/><geom size=\"1\"/></body></worldbody>\
+             <equality><joint joint1=\"right\" joint2=\"left\" polycoef=\"0 {power} 0 0 0\"/></equality>\
+             <actuator><motor joint=\"left\"/></actuator></mujoco>"
+        );
+        let imported = linkage_import::import(model.as_bytes(), "a.xml", &Options::default());
+        let text = imported.expect("a model").text;
+        assert!(Mechanism::compile(&text).is_ok(), "{text}");
+        text
+    };
+    assert!(lets("-1").contains("let right = -left;"), "{}", lets("-1"));
+    assert!(lets("1").contains("let right = left;"), "{}", lets("1"));
+    assert!(
+        lets("2").contains("let right = 2rad * (left);"),
+        "{}",
+        lets("2")
+    );
 }
