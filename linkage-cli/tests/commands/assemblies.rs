@@ -118,6 +118,78 @@ fn assemblies_are_listed_where_the_range_is_refused() {
     assert!(circuits.lines().count() > 8, "{circuits}");
 }
 
+/// A coupled group whose reference is a thousandth of a degree beyond a turning point.
+const NEAR_TURNING_POINT: &str = "
+pub struct Near {
+    unit cm;
+    input phi = 157.955201480233deg in 157.9552deg..247.9deg;
+    joint j1 = (-2.87544cm, 0.032816cm);
+    joint j2 = (-3.960199cm, 0.472074cm);
+    joint j3 = (-8.346306cm, 3.068138cm);
+    joint j4 = (2.675824cm, 1.869398cm);
+    joint j5 = (3.903228cm, 5.228105cm);
+    joint j6 = (4.085514cm, -5.223341cm);
+    link frame: j1, j6;
+    link link1: j1, j2 at phi;
+    link link2: j2, j3;
+    link link3: j3, j4, j5;
+    link link4: j4, j6;
+    slider slot_j5: j5 on frame along -0.16093891721521011deg;
+}
+impl Near { pub fn points(phi) -> Points { j2, j3 } }
+";
+
+#[test]
+fn ranges_over_a_turning_point_next_to_the_reference_are_refused_only() {
+    let folder = folder("near_turning_point");
+    let file = folder.join("near.linkage");
+    let ranges = ["0deg..360deg", "120deg..247.9deg", "157.9deg..247.9deg"];
+    for range in ranges {
+        let with = |range: &str| {
+            NEAR_TURNING_POINT.replace("in 157.9552deg..247.9deg", &format!("in {range}"))
+        };
+        fs::write(&file, with(range)).expect("it is written");
+        let answered = |command: &str| {
+            let output = linkage(&folder, &[command, "near.linkage"]);
+            assert!(output.status.success(), "{range}: {command}");
+            String::from_utf8(output.stdout).expect("text")
+        };
+        let all = answered("assemblies");
+        assert!(all.contains(": 4 assemblies\n"), "{range}\n{all}");
+        let circuits = answered("circuits");
+        assert!(circuits.contains("(turning point)"), "{range}\n{circuits}");
+        let said = refused(&folder, &["check", "near.linkage"], 1);
+        assert!(said.contains("turning point at `phi"), "{range}\n{said}");
+        // The range of the refusal can be pasted.
+        let (_, named) = said.split_once("help: write `in ").expect("a help");
+        let (narrower, _) = named.split_once('`').expect("a range");
+        fs::write(&file, with(narrower)).expect("it is written");
+        printed(&folder, &["check", "near.linkage"]);
+    }
+}
+
+const SUSPENSION: &str =
+    include_str!("../../../linkage-import/tests/robots/files/double_wishbone.csv");
+
+#[test]
+fn a_picture_without_links_stops_no_list_of_assemblies() {
+    let folder = folder("range_of_a_picture");
+    fs::write(folder.join("points.csv"), SUSPENSION).expect("it is written");
+    let import = ["import", "--format", "hard-points", "--length", "mm"];
+    let points = ["--axes", "rear,left,up", "--side", "left", "points.csv"];
+    let imported = linkage(&folder, &[&import[..], &points].concat());
+    let text = String::from_utf8(imported.stdout).expect("text");
+    let wide = text.replace("in -49mm..41mm;", "in -300mm..300mm;");
+    assert!(wide.contains("picture()") && wide != text, "{text}");
+    fs::write(folder.join("wide.linkage"), wide).expect("it is written");
+    let output = linkage(&folder, &["assemblies", "wide.linkage"]);
+    let said = String::from_utf8_lossy(&output.stderr);
+    assert!(output.status.success(), "{said}");
+    assert!(said.contains("a turning point at `travel = "), "{said}");
+    // The refusal of the range is the reason for this, too.
+    assert!(!said.contains("links cannot be told"), "{said}");
+}
+
 /// The box of a refusal can be pasted.
 #[test]
 fn the_box_that_a_refusal_names_is_accepted() {

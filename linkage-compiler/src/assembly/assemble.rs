@@ -62,11 +62,13 @@ impl<'m> Assembled<'m> {
             formulation,
             reference,
             nominal,
+            written,
             ..
         } = self;
         let closed = ClosedMechanism {
             formulation,
             nominal,
+            written,
             reference,
             refused,
         };

@@ -19,6 +19,8 @@ pub(super) struct ClosedMechanism<'a, 'm> {
     pub(super) formulation: &'a Formulation<'m>,
     /// The dimensions, with the ranges over which coupled groups are prepared.
     pub(super) nominal: &'a Nominal,
+    /// The dimensions with ranges as they are declared.
+    pub(super) written: &'a Nominal,
     pub(super) reference: &'a mut Reference,
     /// The refusal of the declared ranges, if those of `nominal` are narrower.
     pub(super) refused: Option<RefusedRange>,
@@ -35,10 +37,11 @@ pub(super) fn check_ranges<'m>(
     let ClosedMechanism {
         formulation,
         nominal,
+        written,
         reference,
         refused,
     } = closed;
-    if has_wrong_range(algebra.mechanism, nominal, reporter) {
+    if has_wrong_range(algebra.mechanism, written, reporter) {
         return;
     }
     let mut ranges = Ranges {
@@ -61,7 +64,8 @@ pub(super) fn check_ranges<'m>(
     match (&declared[..], refused) {
         ([input], Some(refused)) => {
             let dimension = algebra.mechanism.inputs[*input].dimension;
-            let works = ranges.first_failure(*input, dimension).is_none();
+            let is_range = nominal.ranges[*input].is_some_and(|(low, high)| low < high);
+            let works = is_range && ranges.first_failure(*input, dimension).is_none();
             let nominal = works.then_some(nominal);
             return refused.report(algebra.mechanism, nominal, reporter);
         }

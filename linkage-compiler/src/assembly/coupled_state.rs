@@ -31,6 +31,9 @@ const LEAST: [f64; 3] = [0.1, 0.25, 0.5];
 /// cells of less than a degree of a full turn.
 const HALVINGS: i32 = 4;
 
+/// The number of times that the range of a table is halved, whose shortest cells are much shorter.
+const HALVINGS_OF_TABLE: i32 = 8;
+
 /// Prepares a group whose state is known; false if that was not possible. Over ranges that are
 /// refused it is prepared as far as it goes, and the refusal is kept.
 pub(super) fn prepare<'m>(
@@ -99,14 +102,50 @@ fn prepare_table<'m>(
         Err(refusal) => refusal,
     };
     let refused = unfollowed::refused(assembly, solved, prepared, refusal);
-    let part = table(assembly, prepared, state, true).ok();
-    let Some((part, (low, high))) = part.zip(assembly.nominal.ranges[input]) else {
+    let Some((part, narrower, found)) = part_around_reference(assembly, prepared, state) else {
         let mechanism = assembly.algebra.mechanism;
         refused.report(mechanism, None, &mut assembly.reporter);
         return false;
     };
+    assembly.work_within(narrower, refused, found);
+    assembly.machine.starts[prepared.number] = Some(PreparedTable::Table(part));
+    true
+}
+
+/// Returns the table over the part of the range that is reached from the reference, and the
+/// mechanism with this part as its range. Near a turning point the shortest cells of a wide range
+/// are too long: then the range is halved towards the reference.
+fn part_around_reference<'m>(
+    assembly: &mut Assembly<'_, 'm>,
+    prepared: &Prepared<'m>,
+    state: &[f64],
+) -> Option<(Table, Nominal, FoundBox)> {
+    let input = prepared.inputs[0];
+    assembly.nominal.ranges[input]?;
+    let declared = assembly.nominal.clone();
+    let found = (0..=HALVINGS_OF_TABLE).find_map(|count| {
+        let found = match count {
+            0 => FoundBox::Largest,
+            _ => {
+                let share = 0.5f64.powi(count);
+                let mechanism = assembly.algebra.mechanism;
+                *assembly.nominal = shrunk(mechanism, &declared, &prepared.inputs, share);
+                FoundBox::Halved
+            }
+        };
+        let part = table(assembly, prepared, state, true).ok()?;
+        let narrower = reached_range(assembly, input, &part)?;
+        Some((part, narrower, found))
+    });
+    *assembly.nominal = declared;
+    found
+}
+
+/// Returns the mechanism with the range that a table reaches, rounded inwards as far as the
+/// reference at most.
+fn reached_range(assembly: &Assembly<'_, '_>, input: usize, part: &Table) -> Option<Nominal> {
+    let (low, high) = assembly.nominal.ranges[input]?;
     let inside = BEFORE_END * (high - low);
-    let declared = [low, high];
     let reach = [(0, low, inside), (1, high, -inside)].map(|(side, declared, inside)| {
         match part.ends()[side] {
             End::Closed | End::Range(_) => declared,
@@ -114,12 +153,11 @@ fn prepare_table<'m>(
         }
     });
     let at = assembly.nominal.inputs[input];
-    let (ends, _) = rounded_inwards(reach, at, declared, is_angle(assembly.algebra, input));
+    let is_angle = is_angle(assembly.algebra, input);
+    let ([from, to], _) = rounded_inwards(reach, at, [low, high], is_angle);
     let mut narrower = assembly.nominal.clone();
-    narrower.ranges[input] = Some(ends.into());
-    assembly.work_within(narrower, refused, FoundBox::Largest);
-    assembly.machine.starts[prepared.number] = Some(PreparedTable::Table(part));
-    true
+    narrower.ranges[input] = Some((from.min(at), to.max(at)));
+    Some(narrower)
 }
 
 /// Returns the mechanism with narrower ranges, the widest first: the boxes far enough from dead

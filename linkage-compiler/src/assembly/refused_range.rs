@@ -123,7 +123,7 @@ fn ranges(mechanism: &Mechanism, nominal: &Nominal, found: FoundBox) -> String {
 }
 
 /// Returns the same mechanism with this share of the ranges of some inputs on both sides of the
-/// reference, rounded inwards.
+/// reference, rounded inwards as far as the reference at most.
 pub(super) fn shrunk(
     mechanism: &Mechanism,
     nominal: &Nominal,
@@ -136,8 +136,8 @@ pub(super) fn shrunk(
             let at = nominal.inputs[input];
             let reach = [low, high].map(|end| at + share * (end - at));
             let is_angle = mechanism.inputs[input].dimension.half_lengths == 0;
-            let (ends, _) = rounded_inwards(reach, at, [at, at], is_angle);
-            narrower.ranges[input] = Some(ends.into());
+            let ([from, to], _) = rounded_inwards(reach, at, [at, at], is_angle);
+            narrower.ranges[input] = Some((from.min(at), to.max(at)));
         }
     }
     narrower

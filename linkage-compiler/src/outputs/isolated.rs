@@ -38,7 +38,7 @@ pub(super) fn express<'m>(
         let asked = definition.asked_picture();
         // A mechanism that does not close has no picture.
         let picture = asked.filter(|_| at.reference.closed).map(|asked| {
-            let found = picture::find(state.algebra, at.reference, at.nominal, asked, reporter);
+            let found = picture::find(state.algebra, at, asked, reporter);
             state.drawn = found.vectors;
             found.picture
         });

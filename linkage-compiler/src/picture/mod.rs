@@ -76,8 +76,8 @@ use linkage_symbolic::lookup::Set;
 use linkage_symbolic::{Ex, Vn};
 
 use crate::algebra::{Algebra, Nominal};
-use crate::diagnostic::Reporter;
-use crate::machine::Reference;
+use crate::diagnostic::{OriginId, Reporter};
+use crate::machine::{AtReference, Reference};
 use crate::model::{AskedPicture, Expr, Mechanism, Type};
 
 use guides::Guides;
@@ -89,14 +89,18 @@ use sketch::Sketch;
 
 pub(crate) use found_picture::FoundPicture;
 
-/// The picture of a mechanism that closes.
+/// The picture of a mechanism that closes; without points if no link is found.
 pub(crate) fn find<'m>(
     algebra: &mut Algebra<'m>,
-    reference: &Reference,
-    nominal: &Nominal,
+    at: AtReference,
     asked: AskedPicture<'m>,
     reporter: &mut Reporter,
 ) -> FoundPicture<'m> {
+    let AtReference {
+        reference,
+        nominal,
+        written,
+    } = at;
     let dimension = dimension(algebra.mechanism, asked.links);
     let layout = Layout::new(algebra, dimension);
     let mut sketch = Sketch::default();
@@ -104,17 +108,10 @@ pub(crate) fn find<'m>(
     listed_links::add_lists(algebra, &layout, &mut sketch, asked.links);
     let mut samples = Samples::new(algebra, &sketch.points, reference, nominal);
     if samples.places() < 2 && !algebra.mechanism.inputs.is_empty() {
-        reporter.error_with_help(
-            asked.origin,
-            "links cannot be told from what stretches: the mechanism closes at none of the other positions looked at",
-            match algebra.mechanism.inputs.iter().find(|input| input.range.is_none()) {
-                Some(input) => format!(
-                    "give the input a range in which the links close: `input {} = ... in LOW..HIGH;`",
-                    input.name
-                ),
-                None => "check the ranges of the inputs".to_owned(),
-            },
-        );
+        // A refused range has a message already.
+        if nominal.ranges == written.ranges {
+            warn_of_one_position(algebra.mechanism, asked.origin, reporter);
+        }
         return FoundPicture::default();
     }
     check::check_lists(algebra.mechanism, &sketch, &samples, reporter);
@@ -149,6 +146,23 @@ pub(crate) fn find<'m>(
     check::warn_of_undrawn_loops(&found.picture, asked.origin, reporter);
     check::warn_of_loose_points(&found.picture, asked.origin, reporter);
     found
+}
+
+/// Warns of a mechanism that closes at the reference only, where every distance is kept.
+fn warn_of_one_position(mechanism: &Mechanism, origin: OriginId, reporter: &mut Reporter) {
+    let without_range = mechanism.inputs.iter().find(|input| input.range.is_none());
+    reporter.warning_with_help(
+        origin,
+        "links cannot be told from what stretches: the mechanism closes at none of the other positions looked at; \
+         the function of the picture is left out",
+        match without_range {
+            Some(input) => format!(
+                "give the input a range in which the links close: `input {} = ... in LOW..HIGH;`",
+                input.name
+            ),
+            None => "check the ranges of the inputs".to_owned(),
+        },
+    );
 }
 
 /// Returns the components of vectors at the reference inputs.

@@ -80,8 +80,9 @@ impl LinkCount<'_> {
         )
     }
 
-    /// Returns the text about links that too few joints hold.
-    pub(crate) fn moving(&self, coordinates: &[&Coordinate]) -> String {
+    /// Returns the text about links that too few joints hold. `free` is the number of their motions
+    /// that nothing holds.
+    pub(crate) fn moving(&self, coordinates: &[&Coordinate], free: usize) -> String {
         let moved = self.moved(coordinates);
         let surplus = self.inventory.mobility() - self.inventory.driven.len() as isize;
         let still = match &moved[..] {
@@ -96,17 +97,16 @@ impl LinkCount<'_> {
             "{fact}: {}; {} {still}\nhelp: {}",
             self.mobility(),
             listed(&moved),
-            self.hold(&moved, surplus),
+            self.hold(&moved, free),
         )
     }
 
     /// Returns the advice for links that too few joints hold.
-    fn hold(&self, moved: &[String], surplus: isize) -> String {
-        let hold = match (moved, surplus) {
+    fn hold(&self, moved: &[String], free: usize) -> String {
+        let hold = match (moved, free) {
             ([one], _) => format!("hold {one}"),
             (_, 1) => "hold one of them".to_owned(),
-            (_, 2..) => format!("hold {surplus} of these motions"),
-            _ => "hold them".to_owned(),
+            _ => format!("hold {free} of these motions"),
         };
         let (further, drive) = if self.inventory.spatial {
             ("a further link", "an angle of its hinge: `at ANGLE`")
@@ -119,11 +119,11 @@ impl LinkCount<'_> {
         let inputs = self.mechanism.inputs.iter();
         let inputs: Vec<String> = inputs.map(|input| input.name.clone()).collect();
         match &inputs[..] {
-            [] if surplus == 1 => format!(
+            [] if free == 1 => format!(
                 "declare an input, as in `input phi = 60deg in 0deg..360deg;`, and give a link {}; or {hold} by {further}",
                 drive.replace("ANGLE", "phi")
             ),
-            [input] if self.inventory.driven.is_empty() && surplus == 1 => format!(
+            [input] if self.inventory.driven.is_empty() && free == 1 => format!(
                 "`{input}` drives no link: give one {}; or {hold} by {further}",
                 drive.replace("ANGLE", input)
             ),

@@ -121,7 +121,7 @@ fn undetermined_unknowns<'m>(
     }
     if sharing.is_empty() {
         if let Some(links) = link_count(names.mechanism, equations, coordinates) {
-            return fault(links.moving(&[coordinate]));
+            return fault(links.moving(&[coordinate], 1));
         }
         return fault(format!(
             "unknown `{name}` is in no loop\n\
@@ -132,7 +132,7 @@ fn undetermined_unknowns<'m>(
     let surplus = undetermined.len() - rows;
     let open: Vec<&Coordinate> = undetermined.iter().map(|&k| &coordinates[k]).collect();
     if let Some(links) = link_count(names.mechanism, equations, coordinates) {
-        return fault(links.moving(&open));
+        return fault(links.moving(&open, surplus));
     }
     let inputs = names.mechanism.inputs.len();
     fault(format!(
