@@ -27,7 +27,8 @@
 //!
 //! A mechanism takes a compiler's work of some milliseconds; an assembly some microseconds; a
 //! position of a sweep some ten nanoseconds. Names and descriptions of a compiled mechanism, a few
-//! kilobytes, stay in memory until the process ends, as those of generated code do.
+//! kilobytes, stay in memory until the process ends, as those of generated code do; equal ones of
+//! several mechanisms are stored once.
 
 #[cfg(doctest)]
 #[doc = include_str!("../../docs/engine.md")]

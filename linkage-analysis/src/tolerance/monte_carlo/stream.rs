@@ -129,8 +129,7 @@ impl<const N: usize, const K: usize> Stream<N, K> {
             centre: self.study.scales[k].centre,
             powers: sums.powers,
         };
-        let [min, max] = self.tally.ends[k].map(|end| end.map_or(f64::NAN, |end| end.value));
-        moments.statistics(self.tally.done - sums.count, [min, max])
+        moments.statistics(self.tally.done - sums.count, self.limits(k))
     }
 
     /// The mechanisms with the least and with the largest value of number `k`; `None` if no
@@ -177,10 +176,8 @@ impl<const N: usize, const K: usize> Stream<N, K> {
             let bin = index.and_then(|index| find(index as f64));
             bin.map_or(beyond, |(bin, _)| end(bin))
         };
-        let value = find(part * (count - 1) as f64).map_or(f64::NAN, |(_, value)| value);
-        let [min, max] = self.tally.ends[k].map(|end| end.map_or(f64::NAN, |end| end.value));
         Estimate {
-            value: value.max(min).min(max),
+            value: find(part * (count - 1) as f64).map_or(f64::NAN, |(_, value)| value),
             low: limit(low, f64::NEG_INFINITY, |bin| bin.low),
             high: limit(high, f64::INFINITY, |bin| bin.high),
         }
@@ -230,9 +227,14 @@ impl<const N: usize, const K: usize> Stream<N, K> {
         Agreement::all(effects, &deviations, nominal, |k| self.statistics(k))
     }
 
+    /// The least and the largest value, NaN if there is none.
+    fn limits(&self, k: usize) -> [f64; 2] {
+        self.tally.ends[k].map(|end| end.map_or(f64::NAN, |end| end.value))
+    }
+
     /// Filled bins in the order of the numbers, within the limits of the values.
     fn filled(&self, k: usize) -> impl Iterator<Item = Bin> {
-        let [min, max] = self.tally.ends[k].map(|end| end.map_or(f64::NAN, |end| end.value));
+        let [min, max] = self.limits(k);
         self.tally.bins[k].filled().map(move |bin| Bin {
             low: bin.low.max(min).min(max),
             high: bin.high.min(max).max(min),
