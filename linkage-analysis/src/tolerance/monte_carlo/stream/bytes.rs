@@ -1,7 +1,8 @@
 //! Results as bytes, for other processes and for files.
 //!
 //! Little-endian numbers; counts and bins have as many bytes as they need, seven bits in each. Data
-//! of the study come as a digest only: who reads the bytes has the study.
+//! of the study come as a digest only: who reads the bytes has the study. A digest of all bytes is
+//! last, so that damaged ones are noticed.
 
 use alloc::vec::Vec;
 
@@ -59,6 +60,7 @@ impl<const N: usize, const K: usize> Stream<N, K> {
                 last = bin;
             }
         }
+        out.fixed(digest(&out.0));
         out.0
     }
 
@@ -67,9 +69,11 @@ impl<const N: usize, const K: usize> Stream<N, K> {
     ///
     /// # Errors
     ///
-    /// `OtherStudy` for bytes of another study, `NoResults` for others.
+    /// `OtherStudy` for bytes of another study, `NoResults` for others, and for damaged ones.
     pub fn read(&self, bytes: &[u8]) -> Result<Self, ToleranceError> {
-        let mut bytes = Reader(bytes);
+        let whole = bytes.split_last_chunk();
+        let whole = whole.filter(|(bytes, end)| digest(bytes).to_le_bytes() == **end);
+        let mut bytes = Reader(whole.ok_or(ToleranceError::NoResults)?.0);
         let study = bytes.begin().ok_or(ToleranceError::NoResults)?;
         if study != self.study.digest() {
             return Err(ToleranceError::OtherStudy);
@@ -91,12 +95,15 @@ impl<const N: usize, const K: usize> Study<N, K> {
             scales,
         } = self;
         // Rust's notation of numbers is exact.
-        let text = alloc::format!("{N} {K} {count} {draw:?} {scales:?}");
-        // FNV-1a of 64 bits.
-        text.bytes().fold(0xcbf2_9ce4_8422_2325, |hash, byte| {
-            (hash ^ u64::from(byte)).wrapping_mul(0x0100_0000_01b3)
-        })
+        digest(alloc::format!("{N} {K} {count} {draw:?} {scales:?}").as_bytes())
     }
+}
+
+/// FNV-1a of 64 bits: another byte at one place always gives another digest.
+fn digest(bytes: &[u8]) -> u64 {
+    bytes.iter().fold(0xcbf2_9ce4_8422_2325, |hash, &byte| {
+        (hash ^ u64::from(byte)).wrapping_mul(0x0100_0000_01b3)
+    })
 }
 
 struct Writer(Vec<u8>);
