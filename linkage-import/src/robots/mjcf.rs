@@ -5,7 +5,7 @@
 use std::collections::BTreeMap;
 
 use super::attribute_numbers::{attribute, axis_of, numbers};
-use super::model::{Joint, Mass, Motion, Robot, joint};
+use super::model::{Joint, Motion, Robot, joint};
 use crate::error::ImportError;
 use crate::names::shown;
 use crate::placement::{AXES, FIXED, Placement, Vector};
@@ -263,11 +263,7 @@ impl<'t> Reader<'t> {
             (Some([x, y, z]), None) => [[x, 0.0, 0.0], [0.0, y, 0.0], [0.0, 0.0, z]],
             (None, None) => [[0.0; 3]; 3],
         };
-        self.robot.bodies[body].masses.push(Mass {
-            mass,
-            centre: located.origin,
-            inertia: located.tensor(&tensor),
-        });
+        self.robot.add_mass(body, &located, mass, &tensor);
         Ok(())
     }
 }

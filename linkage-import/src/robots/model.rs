@@ -7,7 +7,7 @@ use std::collections::BTreeMap;
 
 use crate::error::ImportError;
 use crate::names::shown;
-use crate::placement::{Vector, difference, dot, scaled, sum};
+use crate::placement::{Placement, Vector, difference, dot, scaled, sum};
 
 /// More bodies than any mechanism that is worth a closed form.
 const MOST_BODIES: usize = 400;
@@ -143,6 +143,22 @@ impl Robot {
     /// Counts something that is not used.
     pub(crate) fn leave_out(&mut self, what: &str) {
         *self.left_out.entry(shown(what)).or_default() += 1;
+    }
+
+    /// Adds a mass to a body. Its centre is the origin of the placement, and its tensor has the axes
+    /// of the placement.
+    pub(crate) fn add_mass(
+        &mut self,
+        body: usize,
+        located: &Placement,
+        mass: f64,
+        tensor: &[Vector; 3],
+    ) {
+        self.bodies[body].masses.push(Mass {
+            mass,
+            centre: located.origin,
+            inertia: located.tensor(tensor),
+        });
     }
 
     /// Returns true if a body is the other one or hangs on it.

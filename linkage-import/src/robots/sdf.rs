@@ -6,7 +6,7 @@
 use std::collections::BTreeMap;
 
 use super::attribute_numbers::exactly;
-use super::model::{ClosingJoint, Closure, Mass, Motion, Robot, joint, tensor};
+use super::model::{ClosingJoint, Closure, Motion, Robot, joint, tensor};
 use super::urdf::follow;
 use crate::error::ImportError;
 use crate::names::shown;
@@ -313,11 +313,7 @@ fn add_mass(
             Some(inertia) => tensor(|name| number(inertia, name))?,
             None => [[0.0; 3]; 3],
         };
-        robot.bodies[body].masses.push(Mass {
-            mass,
-            centre: located.origin,
-            inertia: located.tensor(&tensor),
-        });
+        robot.add_mass(body, &located, mass, &tensor);
     }
     Ok(())
 }

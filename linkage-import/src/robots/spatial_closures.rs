@@ -62,10 +62,8 @@ impl Writer<'_, '_> {
         let [a, b] = closure.bodies;
         let [first, second] = [0, 1].map(|end| {
             let text = self.carried(closure.bodies[end], closure.at[end], &name);
-            let wanted = format!("{name}_{}", ["a", "b"][end]);
-            let point = self.wording.names.unique(&wanted, "loop_");
-            self.sections.lets.push(format!("let {point} = {text};"));
-            point
+            self.wording
+                .closing_point(&name, end, &text, &mut self.sections)
         });
         let base = self.wording.chain.common_carrier(closure);
         let ends = [0, 1].map(|end| match base {

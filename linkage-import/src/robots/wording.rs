@@ -184,6 +184,20 @@ impl<'c> Wording<'c> {
         self.followers.iter().filter_map(line).collect()
     }
 
+    /// Writes the point of one end of a closure, and returns its name.
+    pub(super) fn closing_point(
+        &mut self,
+        closure: &str,
+        end: usize,
+        text: &str,
+        sections: &mut Sections,
+    ) -> String {
+        let wanted = format!("{closure}_{}", ["a", "b"][end]);
+        let point = self.names.unique(&wanted, "loop_");
+        sections.lets.push(format!("let {point} = {text};"));
+        point
+    }
+
     /// The comment of a gap, if a closure has one.
     pub(super) fn gap(&self, closure: usize, sections: &mut Sections) {
         let gap = self.analysis.gaps[closure];

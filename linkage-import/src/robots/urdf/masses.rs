@@ -4,7 +4,7 @@ use super::elements::origin;
 use crate::error::ImportError;
 use crate::placement::Placement;
 use crate::robots::attribute_numbers::attribute;
-use crate::robots::model::{Mass, Robot, tensor};
+use crate::robots::model::{Robot, tensor};
 use crate::xml::XmlElement;
 
 /// Adds the mass of a link to its body.
@@ -31,11 +31,7 @@ pub(super) fn add_mass(
             Some(inertia) => tensor(|name| value(name, inertia))?,
             None => [[0.0; 3]; 3],
         };
-        robot.bodies[body].masses.push(Mass {
-            mass,
-            centre: located.origin,
-            inertia: located.tensor(&tensor),
-        });
+        robot.add_mass(body, &located, mass, &tensor);
     }
     Ok(())
 }
