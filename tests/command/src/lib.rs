@@ -1,6 +1,11 @@
 //! All mechanisms of the folder `mechanisms`, of the golden files and of the corpus as the macro compiles them, to be compared with the command `linkage`.
 
+use std::path::Path;
+
 use linkage::{AssemblyMode, Frame, Input, Vector2, Vector3};
+use linkage_compiler::check;
+use linkage_engine::{Mechanism, Source};
+use linkage_random::Random;
 
 /// A mechanism that the macro compiled.
 pub struct Subject {
@@ -39,6 +44,34 @@ pub type Rows = Option<Vec<Vec<f64>>>;
 
 /// The results of a function, by its number, at some arguments.
 pub type Call = dyn Fn(usize, &[f64]) -> Vec<f64>;
+
+/// The same mechanism as the command reads it.
+///
+/// # Panics
+///
+/// If the file cannot be read, or has a mistake.
+#[must_use]
+pub fn read(subject: &Subject) -> Mechanism {
+    let source = Source::read(Path::new(subject.path)).expect("it can be read");
+    let checked = check(source.calls()[subject.number].tokens.clone());
+    Mechanism::new(&checked).expect("a mechanism without a mistake")
+}
+
+/// Arguments of a function: inputs in their ranges and a little beyond, others of any size.
+#[must_use]
+pub fn arguments(mechanism: &Mechanism, function: usize, random: &mut Random) -> Vec<f64> {
+    let places = mechanism.compiled().functions[function].arguments.iter();
+    places
+        .map(|&place| match mechanism.inputs().get(place) {
+            Some(input) => {
+                let (low, high) = input.ends();
+                let beyond = 0.02 * (high - low);
+                random.between(low - beyond, high + beyond)
+            }
+            None => random.between(-20.0, 20.0),
+        })
+        .collect()
+}
 
 /// A result as a list of numbers, components innermost.
 trait FlatNumbers {

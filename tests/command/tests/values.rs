@@ -1,35 +1,11 @@
 //! The command gives what the macro's code gives on the same machine: every number of every function, to the last bit.
 
-use std::path::Path;
-
-use linkage_command::{Subject, all};
-use linkage_compiler::check;
-use linkage_engine::{Columns, Mechanism, Source, Table};
+use linkage_command::{Subject, all, arguments, read};
+use linkage_engine::{Columns, Mechanism, Table};
 use linkage_random::Random;
 
 /// Positions of each function.
 const POSITIONS: usize = 40;
-
-fn read(subject: &Subject) -> Mechanism {
-    let source = Source::read(Path::new(subject.path)).expect("it can be read");
-    let checked = check(source.calls()[subject.number].tokens.clone());
-    Mechanism::new(&checked).expect("a mechanism without a mistake")
-}
-
-/// Arguments of a function: inputs in their ranges and a little beyond, others of any size.
-fn arguments(mechanism: &Mechanism, function: usize, random: &mut Random) -> Vec<f64> {
-    let places = mechanism.compiled().functions[function].arguments.iter();
-    places
-        .map(|&place| match mechanism.inputs().get(place) {
-            Some(input) => {
-                let (low, high) = input.ends();
-                let beyond = 0.02 * (high - low);
-                random.between(low - beyond, high + beyond)
-            }
-            None => random.between(-20.0, 20.0),
-        })
-        .collect()
-}
 
 /// Compares all functions with these dimensions; how many numbers there were, and how many of them are finite.
 fn compare(subject: &Subject, mechanism: &Mechanism, dimensions: &[f64]) -> [usize; 2] {

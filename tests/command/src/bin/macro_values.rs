@@ -10,9 +10,9 @@
 use std::fmt::Write;
 use std::path::Path;
 
-use linkage_command::{Subject, all};
-use linkage_compiler::{check, check_all};
-use linkage_engine::{Mechanism, Source};
+use linkage_command::{Subject, all, arguments, read};
+use linkage_compiler::check_all;
+use linkage_engine::Source;
 use linkage_random::Random;
 
 /// Calls of each function.
@@ -34,10 +34,8 @@ fn main() {
 
 /// Prints the values of a mechanism.
 fn print(subject: &Subject, text: &mut String) {
+    let mechanism = read(subject);
     let source = Source::read(Path::new(subject.path)).expect("it can be read");
-    let call = &source.calls()[subject.number];
-    let checked = check(call.tokens.clone());
-    let mechanism = Mechanism::new(&checked).expect("a mechanism without a mistake");
     let until = source.calls()[..=subject.number].iter();
     let counts = until.map(|call| check_all(call.tokens.clone()).len());
     let index = counts.sum::<usize>() - 1;
@@ -75,21 +73,6 @@ fn print(subject: &Subject, text: &mut String) {
             let _ = writeln!(text, "{kind}\t{start}\t{sets}\t{x}\t{results}");
         }
     }
-}
-
-/// Arguments of a function: inputs in their ranges and a little beyond, others of any size.
-fn arguments(mechanism: &Mechanism, function: usize, random: &mut Random) -> Vec<f64> {
-    let taken = mechanism.compiled().functions[function].arguments.iter();
-    taken
-        .map(|&index| match mechanism.inputs().get(index) {
-            Some(input) => {
-                let (low, high) = input.ends();
-                let beyond = 0.02 * (high - low);
-                random.between(low - beyond, high + beyond)
-            }
-            None => random.between(-20.0, 20.0),
-        })
-        .collect()
 }
 
 /// The columns of rows.
