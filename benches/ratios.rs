@@ -9,7 +9,8 @@
 //! for the best instruction set of the machine; both are repeated, and timed apart from single calls.
 //!
 //! "Exported" is the same mechanism as `linkage-c` prints it, one position at a time, on a machine with fused multiply-adds
-//! those of `--scalar fused`, compiled for that machine; its goal is 1.1 of ours.
+//! those of `--scalar fused`, compiled for that machine; its goal is 1.1 of ours. "Exported sweep" is the sweep of `--scalar double`,
+//! compiled by `-O3 -march=native` alone, into rows; its goal is 1.5 of our sweep.
 //!
 //! The numbers of all are compared before they are timed.
 
@@ -44,6 +45,9 @@ const GOALS: [(&str, Option<f64>); 12] = [
 /// What exported C may take of the time of ours.
 const EXPORTED: f64 = 1.1;
 
+/// What an exported sweep may take of the time of ours.
+const EXPORTED_SWEEP: f64 = 1.5;
+
 /// Times of one kernel: C, C with our sine, ours, exported C, the first three again by latency; both sweeps in rounds of their own; the
 /// clock in each of them.
 struct Row {
@@ -57,6 +61,7 @@ struct Row {
     clock: Times,
     sweep: Times,
     c_sweep: Times,
+    exported_sweep: Times,
     sweep_clock: Times,
 }
 
@@ -87,6 +92,10 @@ fn main() {
     let e2 = exported::K2::new(m::dimensions2(&two));
     let e3 = exported::K3::new(s::dimensions3(&three));
     let e4 = exported::K4::new(s::dimensions4(&four));
+    let r1 = exported::K1Rows::new(m::dimensions1(&one));
+    let r2 = exported::K2Rows::new(m::dimensions2(&two));
+    let r3 = exported::K3Rows::new(s::dimensions3(&three));
+    let r4 = exported::K4Rows::new(s::dimensions4(&four));
     let mut random = Random::new(17);
     let mut all = |step: f64| -> [f64; POSITIONS] {
         let mut order: [usize; POSITIONS] = std::array::from_fn(|i| i);
@@ -99,7 +108,7 @@ fn main() {
     let [x, y, z] = &[(); 3].map(|()| all(step / 6.0));
 
     macro_rules! rows {
-        ($($folded:ident $linkage:ident $c:ident $exported:ident $assembly:ident $function:ident $sweep:ident
+        ($($folded:ident $linkage:ident $c:ident $exported:ident $swept:ident $assembly:ident $function:ident $sweep:ident
            $module:ident $result:ident.$point:ident $columns:ident $numbers:ty;
            $first:ident $($more:ident)*),* $(,)?) => {
             [$({
@@ -127,6 +136,11 @@ fn main() {
                 let mut beside = numbers;
                 let mut columns = $linkage.$sweep($first, $($more),*);
                 let mut blocks = c::sweep::Columns::new(numbers.len(), POSITIONS);
+                let mut rows = [{ let none: $numbers = [0.0; _]; none }; POSITIONS];
+                $swept.$function($first, $($more,)* &mut rows);
+                for (i, row) in rows.iter().enumerate() {
+                    agree(row, &$exported.$function($first[i], $($more[i]),*).0);
+                }
                 let mut times = interleave(
                     vec![
                         Candidate::new("C", POSITIONS, || {
@@ -188,6 +202,12 @@ fn main() {
                                 black_box(&mut blocks);
                             }
                         }),
+                        Candidate::new("exported sweep", POSITIONS * REPEATS, || {
+                            for _ in 0..REPEATS {
+                                $swept.$function(black_box($first), $($more,)* &mut rows);
+                                black_box(&mut rows);
+                            }
+                        }),
                         clock(),
                     ],
                     time / 4,
@@ -205,24 +225,25 @@ fn main() {
                     clock: next(),
                     sweep: next_sweep(),
                     c_sweep: next_sweep(),
+                    exported_sweep: next_sweep(),
                     sweep_clock: next_sweep(),
                 }
             }),*]
         };
     }
     let rows = rows![
-        K1 k1 c1 e1 K1Assembly point point_sweep m K1Point.tracer point_sweep_into linkage_peers::Position; phi,
-        K1 k1 c1 e1 K1Assembly motion motion_sweep m K1Motion.tracer motion_sweep_into linkage_peers::Motion; phi,
-        K1 k1 c1 e1 K1Assembly accuracy accuracy_sweep m K1Accuracy.tracer accuracy_sweep_into linkage_peers::Sensitivities1; phi,
-        K2 k2 c2 e2 K2Assembly point point_sweep m K2Point.p10 point_sweep_into linkage_peers::Position; phi,
-        K2 k2 c2 e2 K2Assembly motion motion_sweep m K2Motion.p10 motion_sweep_into linkage_peers::Motion; phi,
-        K2 k2 c2 e2 K2Assembly accuracy accuracy_sweep m K2Accuracy.p10 accuracy_sweep_into linkage_peers::Sensitivities2; phi,
-        K3 k3 c3 e3 K3Assembly point point_sweep s K3Point.end point_sweep_into [f64; 3]; phi,
-        K3 k3 c3 e3 K3Assembly motion motion_sweep s K3Motion.end motion_sweep_into [f64; 11]; phi,
-        K3 k3 c3 e3 K3Assembly accuracy accuracy_sweep s K3Accuracy.end accuracy_sweep_into [f64; 27]; phi,
-        K4 k4 c4 e4 K4Assembly point point_sweep s K4Point.p point_sweep_into [f64; 3]; x y z,
-        K4 k4 c4 e4 K4Assembly motion motion_sweep s K4Motion.p motion_sweep_into [f64; 12]; x y z,
-        K4 k4 c4 e4 K4Assembly curvature curvature_sweep s K4Curvature.p curvature_sweep_into [f64; 39]; x y z,
+        K1 k1 c1 e1 r1 K1Assembly point point_sweep m K1Point.tracer point_sweep_into linkage_peers::Position; phi,
+        K1 k1 c1 e1 r1 K1Assembly motion motion_sweep m K1Motion.tracer motion_sweep_into linkage_peers::Motion; phi,
+        K1 k1 c1 e1 r1 K1Assembly accuracy accuracy_sweep m K1Accuracy.tracer accuracy_sweep_into linkage_peers::Sensitivities1; phi,
+        K2 k2 c2 e2 r2 K2Assembly point point_sweep m K2Point.p10 point_sweep_into linkage_peers::Position; phi,
+        K2 k2 c2 e2 r2 K2Assembly motion motion_sweep m K2Motion.p10 motion_sweep_into linkage_peers::Motion; phi,
+        K2 k2 c2 e2 r2 K2Assembly accuracy accuracy_sweep m K2Accuracy.p10 accuracy_sweep_into linkage_peers::Sensitivities2; phi,
+        K3 k3 c3 e3 r3 K3Assembly point point_sweep s K3Point.end point_sweep_into [f64; 3]; phi,
+        K3 k3 c3 e3 r3 K3Assembly motion motion_sweep s K3Motion.end motion_sweep_into [f64; 11]; phi,
+        K3 k3 c3 e3 r3 K3Assembly accuracy accuracy_sweep s K3Accuracy.end accuracy_sweep_into [f64; 27]; phi,
+        K4 k4 c4 e4 r4 K4Assembly point point_sweep s K4Point.p point_sweep_into [f64; 3]; x y z,
+        K4 k4 c4 e4 r4 K4Assembly motion motion_sweep s K4Motion.p motion_sweep_into [f64; 12]; x y z,
+        K4 k4 c4 e4 r4 K4Assembly curvature curvature_sweep s K4Curvature.p curvature_sweep_into [f64; 39]; x y z,
     ];
     print(&rows);
 }
@@ -283,6 +304,17 @@ fn print(rows: &[Row]) {
         let met = if ratio.median <= EXPORTED { " met" } else { "" };
         let cost = cost(&row.exported, &row.clock);
         println!("{name:<14}  {ratio:<19.3}  {EXPORTED:4.2}{met:<4}  {cost}");
+    }
+    println!("\nExported sweep  exported/ours        goal      exported, ns (c)");
+    for ((name, _), row) in GOALS.iter().zip(rows) {
+        let ratio = row.exported_sweep.ratio(&row.sweep);
+        let met = if ratio.median <= EXPORTED_SWEEP {
+            " met"
+        } else {
+            ""
+        };
+        let cost = cost(&row.exported_sweep, &row.sweep_clock);
+        println!("{name:<14}  {ratio:<19.3}  {EXPORTED_SWEEP:4.2}{met:<4}  {cost}");
     }
     let set = c::sweep::instruction_set().unwrap_or("single calls");
     println!(

@@ -54,8 +54,14 @@ fn main() {
     ] {
         build.flag_if_supported(flag);
     }
-    build.files(exported(Path::new(&setting("OUT_DIR")), real));
+    let folder = setting("OUT_DIR");
+    build.files(exported(Path::new(&folder), real, ""));
     build.compile("linkage_peers_exported");
+    // Sweeps with two flags that everybody has.
+    let mut build = cc::Build::new();
+    build.opt_level(3).flag_if_supported("-march=native");
+    build.files(exported(Path::new(&folder), Real::Double, "Rows"));
+    build.compile("linkage_peers_exported_rows");
 
     let compiler = optimised().get_compiler();
     if setting("CARGO_CFG_TARGET_ARCH") != "x86_64" || compiler.is_like_msvc() {
@@ -108,8 +114,8 @@ const MECHANISMS: [&str; 2] = ["src/mechanisms.rs", "src/space.rs"];
 /// Numbers in `src/exported.rs` for what is assembled.
 const MOST: usize = 256;
 
-/// Writes all mechanisms as C; the sources.
-fn exported(folder: &Path, real: Real) -> Vec<PathBuf> {
+/// Writes all mechanisms as C, their names with `end` behind them; the sources.
+fn exported(folder: &Path, real: Real, end: &str) -> Vec<PathBuf> {
     let mut files = Vec::new();
     for path in MECHANISMS {
         println!("cargo:rerun-if-changed={path}");
@@ -120,7 +126,7 @@ fn exported(folder: &Path, real: Real) -> Vec<PathBuf> {
             let name = words.next().expect("a mechanism has a name");
             let checked = linkage_compiler::check(body);
             let unit = checked.unit.expect("a mechanism without a mistake");
-            let own = sources(&name, &unit, real).expect("it can be exported");
+            let own = sources(&format!("{name}{end}"), &unit, real).expect("it can be exported");
             assert!(
                 unit.scalars().count() + 1 + unit.slots() <= MOST,
                 "{name} is large"

@@ -38,9 +38,14 @@ pub(crate) fn evaluator(
     if let Some(sweep) = sweep {
         let at: String = arguments.map(|entry| format!(", {entry}[k]")).collect();
         let (name, signature) = (&declared.name, &sweep.signature);
+        // A group that is solved step by step keeps rows apart.
+        let rows = match states(writer.surface, function).is_empty() {
+            true => format!("{}rows ", writer.surface.declarations.private),
+            false => String::new(),
+        };
         let _ = writeln!(
             writer.text,
-            "{signature}\n{{\n    size_t k;\n    for (k = 0; k < count; k++) results[k] = {name}(m{at});\n}}\n"
+            "{rows}{signature}\n{{\n    size_t k;\n    for (k = 0; k < count; k++) results[k] = {name}(m{at});\n}}\n"
         );
     }
 }

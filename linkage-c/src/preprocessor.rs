@@ -1,4 +1,5 @@
-//! Errors of the preprocessor in files that include the header, and in the source.
+//! Errors of the preprocessor in files that include the header, and in the source; what compilers may
+//! take from the source.
 
 use linkage_export::Declarations;
 
@@ -77,5 +78,30 @@ pub(crate) fn of_source(real: Real) -> String {
          #ifdef __ASSOCIATIVE_MATH__\n\
          #error \"Sums must be computed in their order: compile without -funsafe-math-optimizations and -fassociative-math.\"\n#endif\n\
          {fused}{format}\n"
+    )
+}
+
+/// Lines that let compilers compute several rows of a sweep at once, without a flag for it. A root
+/// sets no error number, and the functions that a sweep calls are a part of it.
+pub(crate) fn of_rows(surface: &Surface) -> String {
+    let Surface {
+        declarations: Declarations { private, .. },
+        real,
+        ..
+    } = surface;
+    let number = real.name();
+    let root = match real {
+        Real::Double | Real::Fused => "sqrt",
+        Real::Single => "sqrtf",
+    };
+    format!(
+        "#if defined __GNUC__ && !defined __cplusplus\n\
+         /* A root sets no error number, so that it is one instruction, and rows of a sweep are computed together. */\n\
+         #pragma GCC diagnostic push\n#pragma GCC diagnostic ignored \"-Wredundant-decls\"\n\
+         extern {number} ({root})({number}) __attribute__((const));\n\
+         #pragma GCC diagnostic pop\n#endif\n\
+         #if defined __GNUC__ && defined __OPTIMIZE__ && !defined __OPTIMIZE_SIZE__\n\
+         #define {private}rows __attribute__((flatten))\n\
+         #else\n#define {private}rows\n#endif\n\n"
     )
 }

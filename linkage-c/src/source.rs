@@ -72,9 +72,10 @@ fn head(surface: &Surface) -> String {
     );
     let _ = write!(
         text,
-        "#include \"{}.h\"\n\n#include <float.h>\n#include <math.h>\n#include <stdint.h>\n\n{}",
+        "#include \"{}.h\"\n\n#include <float.h>\n#include <math.h>\n#include <stdint.h>\n\n{}{}",
         surface.declarations.name,
-        preprocessor::of_source(surface.real)
+        preprocessor::of_source(surface.real),
+        preprocessor::of_rows(surface)
     );
     text
 }

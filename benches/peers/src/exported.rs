@@ -86,3 +86,83 @@ exported! {
     motion = k4_motion(first, second, third) -> 12;
     curvature = k4_curvature(first, second, third) -> 39;
 }
+
+/// Sweeps of a mechanism, as `linkage-c` prints it in doubles.
+macro_rules! rows {
+    (
+        $(#[$doc:meta])*
+        $Name:ident($dimensions:literal) by $assemble:ident:
+        $($method:ident = $function:ident($($input:ident),*) -> $width:literal;)*
+    ) => {
+        $(#[$doc])*
+        #[derive(Clone, Debug)]
+        pub struct $Name(Box<[f64; MOST]>);
+
+        unsafe extern "C" {
+            fn $assemble(m: *mut f64, dimensions: *const f64) -> c_int;
+            $(fn $function(m: *const f64, count: usize, $($input: *const f64,)* rows: *mut f64);)*
+        }
+
+        impl $Name {
+            /// What depends on the dimensions alone, these in the order of the mechanism's parameters.
+            ///
+            /// # Panics
+            /// If the loops do not close.
+            #[must_use]
+            pub fn new(dimensions: [f64; $dimensions]) -> Self {
+                let mut m = Box::new([f64::NAN; MOST]);
+                // SAFETY: as for single calls.
+                let code = unsafe { $assemble(m.as_mut_ptr(), dimensions.as_ptr()) };
+                assert_eq!(code, 0, "it is assembled");
+                Self(m)
+            }
+
+            $(
+                /// The sweep of this name, into rows.
+                ///
+                /// # Panics
+                /// If an input has another number of positions.
+                pub fn $method(&self, $($input: &[f64],)* rows: &mut [[f64; $width]]) {
+                    $(assert_eq!($input.len(), rows.len());)*
+                    let count = rows.len();
+                    // SAFETY: the function reads the struct and the inputs, and writes a row for each.
+                    unsafe {
+                        $function(self.0.as_ptr(), count, $($input.as_ptr(),)* rows.as_mut_ptr().cast());
+                    }
+                }
+            )*
+        }
+    };
+}
+
+rows! {
+    /// Sweeps of K1.
+    K1Rows(7) by k1_rows_assemble:
+    point = k1_rows_point_sweep(phi) -> 2;
+    motion = k1_rows_motion_sweep(phi) -> 6;
+    accuracy = k1_rows_accuracy_sweep(phi) -> 16;
+}
+
+rows! {
+    /// Sweeps of K2.
+    K2Rows(12) by k2_rows_assemble:
+    point = k2_rows_point_sweep(phi) -> 2;
+    motion = k2_rows_motion_sweep(phi) -> 6;
+    accuracy = k2_rows_accuracy_sweep(phi) -> 26;
+}
+
+rows! {
+    /// Sweeps of K3.
+    K3Rows(8) by k3_rows_assemble:
+    point = k3_rows_point_sweep(phi) -> 3;
+    motion = k3_rows_motion_sweep(phi) -> 11;
+    accuracy = k3_rows_accuracy_sweep(phi) -> 27;
+}
+
+rows! {
+    /// Sweeps of K4.
+    K4Rows(4) by k4_rows_assemble:
+    point = k4_rows_point_sweep(first, second, third) -> 3;
+    motion = k4_rows_motion_sweep(first, second, third) -> 12;
+    curvature = k4_rows_curvature_sweep(first, second, third) -> 39;
+}

@@ -24,6 +24,7 @@ mod promises;
 mod quotients;
 mod ranges;
 mod refusals;
+mod rows;
 mod soft_float;
 mod turns;
 mod users;
