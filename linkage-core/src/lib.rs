@@ -15,6 +15,9 @@ extern crate alloc;
 #[cfg(any(feature = "std", test))]
 extern crate std;
 
+#[cfg(feature = "alloc")]
+#[doc(hidden)]
+pub mod bytes;
 #[doc(hidden)]
 pub mod certificate;
 #[cfg(any(feature = "std", feature = "libm"))]

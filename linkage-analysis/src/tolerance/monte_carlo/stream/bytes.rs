@@ -1,10 +1,10 @@
 //! Results as bytes, for other processes and for files.
 //!
-//! Little-endian numbers; counts and bins have as many bytes as they need, seven bits in each. Data
-//! of the study come as a digest only: who reads the bytes has the study. A digest of all bytes is
-//! last, so that damaged ones are noticed.
+//! Data of the study come as a digest only: who reads the bytes has the study.
 
 use alloc::vec::Vec;
+
+use linkage_core::bytes::{Reader, Writer, digest};
 
 use super::bins::{Bins, Scale};
 use super::sums::{Node, Sums, Tree};
@@ -27,7 +27,7 @@ impl<const N: usize, const K: usize> Stream<N, K> {
             ends,
             bins,
         } = &self.tally;
-        let mut out = Writer(BEGIN.to_vec());
+        let mut out = Writer::new(BEGIN);
         out.fixed(self.study.digest());
         out.varying(*done);
         out.varying(*missing);
@@ -37,9 +37,7 @@ impl<const N: usize, const K: usize> Stream<N, K> {
             out.varying(u64::from(node.level));
             for sums in &node.sums {
                 out.varying(sums.count);
-                sums.powers
-                    .iter()
-                    .for_each(|power| out.fixed(power.to_bits()));
+                sums.powers.iter().for_each(|&power| out.float(power));
             }
         }
         for end in ends.iter().flatten() {
@@ -47,7 +45,7 @@ impl<const N: usize, const K: usize> Stream<N, K> {
                 None => out.varying(0),
                 Some(end) => {
                     out.varying(end.number + 1);
-                    out.fixed(end.value.to_bits());
+                    out.float(end.value);
                 }
             }
         }
@@ -60,8 +58,7 @@ impl<const N: usize, const K: usize> Stream<N, K> {
                 last = bin;
             }
         }
-        out.fixed(digest(&out.0));
-        out.0
+        out.finish()
     }
 
     /// The results that another process wrote by [`to_bytes`](Self::to_bytes), of the study that
@@ -71,14 +68,13 @@ impl<const N: usize, const K: usize> Stream<N, K> {
     ///
     /// `OtherStudy` for bytes of another study, `NoResults` for others, and for damaged ones.
     pub fn read(&self, bytes: &[u8]) -> Result<Self, ToleranceError> {
-        let whole = bytes.split_last_chunk();
-        let whole = whole.filter(|(bytes, end)| digest(bytes).to_le_bytes() == **end);
-        let mut bytes = Reader(whole.ok_or(ToleranceError::NoResults)?.0);
-        let study = bytes.begin().ok_or(ToleranceError::NoResults)?;
+        let bytes = Reader::new(bytes, BEGIN);
+        let mut bytes = bytes.ok_or(ToleranceError::NoResults)?;
+        let study = bytes.fixed().ok_or(ToleranceError::NoResults)?;
         if study != self.study.digest() {
             return Err(ToleranceError::OtherStudy);
         }
-        let tally = bytes.tally(&self.study.scales);
+        let tally = tally(&mut bytes, &self.study.scales);
         Ok(Self {
             study: self.study.clone(),
             tally: tally.ok_or(ToleranceError::NoResults)?,
@@ -99,109 +95,48 @@ impl<const N: usize, const K: usize> Study<N, K> {
     }
 }
 
-/// FNV-1a of 64 bits: another byte at one place always gives another digest.
-fn digest(bytes: &[u8]) -> u64 {
-    bytes.iter().fold(0xcbf2_9ce4_8422_2325, |hash, &byte| {
-        (hash ^ u64::from(byte)).wrapping_mul(0x0100_0000_01b3)
-    })
+fn tally<const K: usize>(bytes: &mut Reader<'_>, scales: &[Scale; K]) -> Option<Tally<K>> {
+    let mut tally = Tally::new(scales);
+    tally.done = bytes.varying()?;
+    tally.missing = bytes.varying()?;
+    let nodes: Option<_> = (0..bytes.varying()?).map(|_| node(bytes)).collect();
+    tally.sums = Tree::from_nodes(nodes?)?;
+    for end in tally.ends.iter_mut().flatten() {
+        *end = match bytes.varying()?.checked_sub(1) {
+            None => None,
+            Some(number) => Some(End {
+                number,
+                value: bytes.float()?,
+            }),
+        };
+    }
+    for (bins, &scale) in tally.bins.iter_mut().zip(scales) {
+        *bins = bins_of(bytes, scale)?;
+    }
+    bytes.is_empty().then_some(tally)
 }
 
-struct Writer(Vec<u8>);
-
-impl Writer {
-    fn fixed(&mut self, number: u64) {
-        self.0.extend_from_slice(&number.to_le_bytes());
-    }
-
-    /// Seven bits a byte, the lowest first; all bytes but the last have the eighth bit.
-    fn varying(&mut self, mut number: u64) {
-        while number >= 0x80 {
-            self.0.push(number as u8 | 0x80);
-            number >>= 7;
+fn node<const K: usize>(bytes: &mut Reader<'_>) -> Option<Node<K>> {
+    let (first, level) = (bytes.varying()?, u32::try_from(bytes.varying()?).ok()?);
+    let mut sums = [Sums::default(); K];
+    for sums in &mut sums {
+        sums.count = bytes.varying()?;
+        for power in &mut sums.powers {
+            *power = bytes.float()?;
         }
-        self.0.push(number as u8);
     }
+    let blocks = 1_u64.checked_shl(level)?;
+    let fits = first.is_multiple_of(blocks) && first.checked_add(blocks).is_some();
+    fits.then_some(Node { first, level, sums })
 }
 
-struct Reader<'a>(&'a [u8]);
-
-impl Reader<'_> {
-    fn fixed(&mut self) -> Option<u64> {
-        let (bytes, rest) = self.0.split_first_chunk()?;
-        self.0 = rest;
-        Some(u64::from_le_bytes(*bytes))
+fn bins_of(bytes: &mut Reader<'_>, scale: Scale) -> Option<Bins> {
+    let (count, mut last) = (bytes.varying()?, i64::MIN);
+    // One by one: a number in bytes is no reason to reserve memory.
+    let mut bins = Bins::new(scale);
+    for _ in 0..count {
+        last = last.wrapping_add(bytes.varying()? as i64);
+        bins.add(last, bytes.varying()?);
     }
-
-    fn float(&mut self) -> Option<f64> {
-        self.fixed().map(f64::from_bits)
-    }
-
-    fn varying(&mut self) -> Option<u64> {
-        let mut number = 0;
-        for shift in (0..64).step_by(7) {
-            let (&byte, rest) = self.0.split_first()?;
-            self.0 = rest;
-            let bits = u64::from(byte & 0x7f);
-            number |= bits << shift;
-            if (bits << shift) >> shift != bits {
-                return None;
-            }
-            if byte & 0x80 == 0 {
-                return Some(number);
-            }
-        }
-        None
-    }
-
-    /// The digest of the study behind the first bytes.
-    fn begin(&mut self) -> Option<u64> {
-        self.0 = self.0.strip_prefix(BEGIN)?;
-        self.fixed()
-    }
-
-    fn tally<const K: usize>(&mut self, scales: &[Scale; K]) -> Option<Tally<K>> {
-        let mut tally = Tally::new(scales);
-        tally.done = self.varying()?;
-        tally.missing = self.varying()?;
-        let nodes: Option<_> = (0..self.varying()?).map(|_| self.node()).collect();
-        tally.sums = Tree::from_nodes(nodes?)?;
-        for end in tally.ends.iter_mut().flatten() {
-            *end = match self.varying()?.checked_sub(1) {
-                None => None,
-                Some(number) => Some(End {
-                    number,
-                    value: self.float()?,
-                }),
-            };
-        }
-        for (bins, &scale) in tally.bins.iter_mut().zip(scales) {
-            *bins = self.bins(scale)?;
-        }
-        self.0.is_empty().then_some(tally)
-    }
-
-    fn node<const K: usize>(&mut self) -> Option<Node<K>> {
-        let (first, level) = (self.varying()?, u32::try_from(self.varying()?).ok()?);
-        let mut sums = [Sums::default(); K];
-        for sums in &mut sums {
-            sums.count = self.varying()?;
-            for power in &mut sums.powers {
-                *power = self.float()?;
-            }
-        }
-        let blocks = 1_u64.checked_shl(level)?;
-        let fits = first.is_multiple_of(blocks) && first.checked_add(blocks).is_some();
-        fits.then_some(Node { first, level, sums })
-    }
-
-    fn bins(&mut self, scale: Scale) -> Option<Bins> {
-        let (count, mut last) = (self.varying()?, i64::MIN);
-        // One by one: a number in bytes is no reason to reserve memory.
-        let mut bins = Bins::new(scale);
-        for _ in 0..count {
-            last = last.wrapping_add(self.varying()? as i64);
-            bins.add(last, self.varying()?);
-        }
-        Some(bins)
-    }
+    Some(bins)
 }
