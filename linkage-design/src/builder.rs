@@ -8,7 +8,7 @@ use std::vec::Vec;
 use super::condition::Condition;
 use super::settings::{Progress, Settings, settings_methods};
 use super::varied::{Freedom, freedom_methods};
-use super::{DesignError, Objective, Relation};
+use super::{DesignError, DesignPart, Objective, Relation};
 use linkage_runtime::{AssemblyError, Circuits, Dimensions};
 
 /// Starts, unless the design says otherwise.
@@ -31,6 +31,9 @@ pub struct Design<'a, M, A, const N: usize> {
     pub(super) objectives: Vec<Box<dyn Objective<M, A> + 'a>>,
     pub(super) settings: Settings<'a>,
     pub(super) listed: usize,
+    /// The part of the starts, and the number of parts.
+    pub(super) part: [usize; 2],
+    pub(super) known: Vec<DesignPart>,
 }
 
 impl<'a, M, A, const N: usize> Design<'a, M, A, N>
@@ -71,6 +74,8 @@ where
             objectives: Vec::new(),
             settings: Settings::new(STARTS, STEPS),
             listed: LISTED,
+            part: [0, 1],
+            known: Vec::new(),
         })
     }
 
@@ -94,6 +99,22 @@ where
     #[must_use]
     pub fn listed(mut self, designs: usize) -> Self {
         self.listed = designs;
+        self
+    }
+
+    /// Part `part` of `of`, counted from 0: some of the starts, nearly as many as each other part
+    /// has. [`descend`](Self::descend) makes its descents.
+    #[must_use]
+    pub fn part(mut self, part: usize, of: usize) -> Self {
+        self.part = [part, of];
+        self
+    }
+
+    /// Takes descents of the same problem from another process or a file; they are not made again.
+    /// `run` and `descend` return `OtherProblem` if they are of another one.
+    #[must_use]
+    pub fn known(mut self, part: DesignPart) -> Self {
+        self.known.push(part);
         self
     }
 

@@ -36,6 +36,10 @@ where
         if self.settings.starts == 0 {
             errors.push(nothing("no starts"));
         }
+        let [part, of] = self.part;
+        if part >= of {
+            errors.push(DesignError::Part { part, of });
+        }
         for objective in &self.objectives {
             errors.extend(objective.check(&cycle, M::PARAMETERS, &varied));
         }

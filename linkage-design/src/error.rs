@@ -199,6 +199,19 @@ pub enum DesignError {
     StartNotWhole(Interruption),
     /// The mechanism of the declaration does not assemble.
     Start(AssemblyError),
+    /// A part of a search that there is not.
+    Part {
+        /// The part, counted from 0.
+        part: usize,
+        /// The number of parts.
+        of: usize,
+    },
+    /// Descents of another problem.
+    OtherProblem,
+    /// Descents from the same starts twice.
+    Repeated,
+    /// Bytes that are no part of a search, or damaged.
+    NoPart,
     /// No mechanism that meets all conditions was found.
     NotFound(Box<Refusals>),
     /// None was found before the search was ended.

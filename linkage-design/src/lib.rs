@@ -36,6 +36,7 @@ mod normal;
 mod objective;
 mod optimum;
 mod parallel;
+mod part;
 mod problem;
 mod proof;
 mod quadratic;
@@ -65,6 +66,7 @@ pub use identify::{
     Identification, Identified, Measured, Readings, Remedy, Residual, Undetermined, Unknown,
 };
 pub use objective::{Candidates, Evaluate, Free, Objective, Rows};
+pub use part::DesignPart;
 pub use relation::Relation;
 pub use sampled::Sampled;
 pub use settings::Progress;

@@ -5,7 +5,7 @@ use std::vec::Vec;
 use super::catalogue::Local;
 
 /// A local optimum, not yet certified.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Optimum {
     /// The variables.
     pub(crate) x: Vec<f64>,

@@ -7,15 +7,15 @@ use super::error::Refusals;
 use super::violation::Violation;
 
 /// Refused starts, with relations and conditions by their numbers.
-#[derive(Clone, Debug, Default)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub(crate) struct Tally {
     pub(crate) refused: usize,
     pub(crate) open: usize,
     pub(crate) broken: usize,
-    relations: Vec<usize>,
-    conditions: Vec<usize>,
+    pub(crate) relations: Vec<usize>,
+    pub(crate) conditions: Vec<usize>,
     /// The worst condition of the end that comes nearest.
-    nearest: Option<Violation>,
+    pub(crate) nearest: Option<Violation>,
 }
 
 /// The fate of a start in the modes of all assemblies, the best last.

@@ -13,21 +13,21 @@ use super::settings::{Progress, Report};
 /// The duration of a round of blocks, after which the progress is reported.
 const ROUND: Duration = Duration::from_millis(100);
 
-/// Runs the starts in blocks of a length, with feature `rayon` on all threads. Returns the results
-/// of the blocks in their order, and true if some were not begun because the search was to end:
-/// `ended` is asked before each round, with the number of blocks that are done.
+/// Runs blocks of starts, with feature `rayon` on all threads. Returns the results of the blocks in
+/// their order, and true if some were not begun because the search was to end: `ended` is asked
+/// before each round, with the number of blocks that are done.
 ///
 /// The result of a block depends on its starts alone, so that the number of threads and the length
 /// of rounds do not matter. `least` is the value of the best of a block.
 pub(crate) fn in_rounds<B: Send>(
-    (starts, block): (usize, usize),
+    all: &[Range<usize>],
     ended: &dyn Fn(usize) -> bool,
     progress: &mut Option<Report<'_>>,
     run: impl Fn(Range<usize>) -> B + Send + Sync,
     least: impl Fn(&B) -> f64,
 ) -> (Vec<B>, bool) {
-    let numbered = |number: usize| run(number * block..starts.min((number + 1) * block));
-    let count = starts.div_ceil(block);
+    let starts = |blocks: &[Range<usize>]| blocks.iter().map(ExactSizeIterator::len).sum();
+    let (count, total) = (all.len(), starts(all));
     let (mut blocks, mut lowest) = (Vec::new(), f64::INFINITY);
     let mut round = 1;
     while blocks.len() < count {
@@ -35,11 +35,11 @@ pub(crate) fn in_rounds<B: Send>(
             return (blocks, true);
         }
         let started = Instant::now();
-        let numbers = blocks.len()..count.min(blocks.len() + round);
+        let next = &all[blocks.len()..count.min(blocks.len() + round)];
         #[cfg(feature = "rayon")]
-        let new: Vec<B> = numbers.into_par_iter().map(numbered).collect();
+        let new: Vec<B> = next.par_iter().cloned().map(&run).collect();
         #[cfg(not(feature = "rayon"))]
-        let new: Vec<B> = numbers.map(numbered).collect();
+        let new: Vec<B> = next.iter().cloned().map(&run).collect();
         lowest = new.iter().map(&least).fold(lowest, f64::min);
         blocks.extend(new);
         // Only the length of a round depends on time, and no start on the length of a round.
@@ -52,8 +52,8 @@ pub(crate) fn in_rounds<B: Send>(
         };
         if let Some(report) = progress {
             report(Progress {
-                done: starts.min(blocks.len() * block),
-                count: starts,
+                done: starts(&all[..blocks.len()]),
+                count: total,
                 least: lowest,
             });
         }

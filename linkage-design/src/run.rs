@@ -5,12 +5,13 @@ use std::boxed::Box;
 use std::vec::Vec;
 
 use super::builder::Design;
+use super::part::starts_of;
 use super::problem::Problem;
 use super::results::Results;
 use super::rounds::in_rounds;
 use super::search::{BLOCK, Block, block, distinct};
 use super::settings::{End, Report};
-use super::{DesignError, DesignSearch, Refusals};
+use super::{DesignError, DesignPart, DesignSearch, Refusals};
 use linkage_runtime::Dimensions;
 
 impl<'a, M, A, const N: usize> Design<'a, M, A, N>
@@ -36,10 +37,10 @@ where
         let mut progress = self.settings.progress.take();
         let end = self.settings.end();
         let problem = self.problem()?;
-        let (blocks, ended_early) = self.search(&problem, &end, &mut progress);
-        let starts = self.settings.starts.min(blocks.len() * BLOCK);
+        let (descents, ended_early) = self.descents(&problem, &end, &mut progress)?;
+        let starts = descents.done();
         let mut total = Block::default();
-        for block in blocks {
+        for block in descents.blocks.into_values() {
             total.tally.add(&block.tally);
             total.evaluations += block.evaluations;
             total.optima.extend(block.optima);
@@ -110,26 +111,72 @@ where
         })
     }
 
-    /// All blocks that were run, and whether some were not.
-    fn search(
+    /// Makes the descents of a [`part`](Self::part) of the starts, for a search in several
+    /// processes: each computes a part, and one of them takes all parts by [`known`](Self::known)
+    /// and runs.
+    ///
+    /// ```
+    /// use linkage_design::{Design, DesignError, DesignPart, DesignSearch};
+    /// # use linkage_runtime::Dimensions;
+    ///
+    /// // In each process: a part, as bytes.
+    /// fn part<M, A, const N: usize>(problem: Design<'_, M, A, N>, k: usize, of: usize) -> Result<Vec<u8>, DesignError>
+    /// # where M: Dimensions<N> + Copy + Send + Sync, A: Clone + Send + Sync
+    /// {
+    ///     Ok(problem.part(k, of).descend()?.to_bytes())
+    /// }
+    ///
+    /// // In one of them: the designs, as of one search.
+    /// fn whole<M, A, const N: usize>(mut problem: Design<'_, M, A, N>, parts: &[Vec<u8>]) -> Result<DesignSearch<M, A>, DesignError>
+    /// # where M: Dimensions<N> + Copy + Send + Sync, A: Clone + Send + Sync
+    /// {
+    ///     for part in parts {
+    ///         problem = problem.known(DesignPart::read(part)?);
+    ///     }
+    ///     problem.run()
+    /// }
+    /// ```
+    ///
+    /// # Errors
+    ///
+    /// All mistakes of the problem at once.
+    pub fn descend(mut self) -> Result<DesignPart, DesignError> {
+        let mut progress = self.settings.progress.take();
+        let end = self.settings.end();
+        let problem = self.problem()?;
+        Ok(self.descents(&problem, &end, &mut progress)?.0)
+    }
+
+    /// Returns the known descents with those of the part that are missing, and whether some of them
+    /// were not made.
+    fn descents(
         &self,
         problem: &Problem<'_, M, A, N>,
         end: &End<'_>,
         progress: &mut Option<Report<'a>>,
-    ) -> (Vec<Block>, bool) {
+    ) -> Result<(DesignPart, bool), DesignError> {
         let (seed, steps) = (self.settings.seed, self.settings.steps);
+        let mut descents = DesignPart::new(self, problem);
+        for part in &self.known {
+            descents.merge(part)?;
+        }
+        let (all, [part, of]) = (self.settings.starts.div_ceil(BLOCK), self.part);
+        let bound = |part: usize| all * part / of;
+        let missing =
+            (bound(part)..bound(part + 1)).filter(|number| !descents.blocks.contains_key(number));
+        let missing: Vec<usize> = missing.collect();
+        let starts: Vec<_> = missing
+            .iter()
+            .map(|&number| starts_of(number, self.settings.starts))
+            .collect();
         let assemblies = &self.assemblies;
         let run = |starts: Range<usize>| block(problem, assemblies, seed, starts, steps);
         let least = |block: &Block| {
             let sums = block.optima.iter().map(|optimum| optimum.sum);
             sums.fold(f64::INFINITY, f64::min)
         };
-        in_rounds(
-            (self.settings.starts, BLOCK),
-            &|_| end.reached(),
-            progress,
-            run,
-            least,
-        )
+        let (blocks, ended) = in_rounds(&starts, &|_| end.reached(), progress, run, least);
+        descents.blocks.extend(missing.into_iter().zip(blocks));
+        Ok((descents, ended))
     }
 }

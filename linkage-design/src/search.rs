@@ -39,7 +39,7 @@ pub(crate) fn refine<M: Dimensions<N> + Copy, A, const N: usize>(
 }
 
 /// The results of a block of starts.
-#[derive(Clone, Debug, Default)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub(crate) struct Block {
     pub(crate) optima: Vec<Optimum>,
     /// Starts that hold all conditions, where descents end at nothing that holds them and has a

@@ -6,6 +6,7 @@ mod interruptions;
 mod judge;
 mod known;
 mod messages;
+mod parts;
 mod reach;
 mod reproducible;
 mod seeds;

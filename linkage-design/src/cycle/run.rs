@@ -122,7 +122,8 @@ where
             _ => f64::INFINITY,
         };
         let ended = |done: usize| done > 0 && stopped();
-        let (found, _) = in_rounds((all.len() * starts, 1), &ended, report, from, least);
+        let each: Vec<_> = (0..all.len() * starts).map(|k| k..k + 1).collect();
+        let (found, _) = in_rounds(&each, &ended, report, from, least);
         let (mut optima, mut refused) = (Vec::new(), Vec::new());
         for found in found.into_iter().flatten() {
             match found {

@@ -50,6 +50,20 @@ impl fmt::Display for DesignError {
                 f,
                 "no least sum of squares in {steps} evaluations, which is our limit; give bounds with `vary`, or begin nearer"
             ),
+            Self::Part { part, of } => write!(
+                f,
+                "there is no part {part} of {of}: parts are counted from 0, and there is at least one"
+            ),
+            Self::OtherProblem => f.write_str(
+                "these descents are of another problem: what is wanted, variables, bounds, starts, seed and steps must be the \
+                 same for all parts",
+            ),
+            Self::Repeated => {
+                f.write_str("both parts have descents from the same starts: each part of a search is merged once")
+            }
+            Self::NoPart => f.write_str(
+                "these bytes are no part of a search, or some of them are missing or changed; write them again by `to_bytes`",
+            ),
             Self::Nothing { what, objective } => write!(f, "{objective}: {what}"),
             Self::NotFinite { objective, number } => {
                 write!(f, "{objective}: {number} is no finite number")

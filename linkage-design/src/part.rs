@@ -1,0 +1,155 @@
+//! Parts of a search, for several processes.
+
+mod bytes;
+
+use std::collections::BTreeMap;
+use std::format;
+use std::vec::Vec;
+
+use linkage_core::bytes::digest;
+use linkage_runtime::Dimensions;
+
+use super::DesignError;
+use super::builder::Design;
+use super::normal::Normal;
+use super::problem::{Evaluator, Problem};
+use super::quasi_random;
+use super::search::{BLOCK, Block};
+
+/// Starts at which the sums of two problems are compared.
+const PROBES: usize = 4;
+
+/// Equal sums differ by no more than this part, by rounding on different processors.
+const SAME: f64 = 1e-6;
+
+/// Ends of descents from some starts of a design problem. [`Design::descend`] computes them, in any
+/// process; [`Design::known`] takes them, so that these descents are not made again.
+///
+/// Parts may come in any number and order: the designs are equal to those of one search, to the
+/// last bit on equal processors.
+#[derive(Clone, Debug, PartialEq)]
+pub struct DesignPart {
+    problem: Identity,
+    /// By their numbers.
+    pub(crate) blocks: BTreeMap<usize, Block>,
+}
+
+/// Properties that parts of a search have in common.
+#[derive(Clone, Debug)]
+struct Identity {
+    /// All starts.
+    starts: usize,
+    /// A digest of settings, variables and bounds.
+    digest: u64,
+    /// The sums at some starts; NaN where there is none.
+    probes: Vec<f64>,
+}
+
+impl PartialEq for Identity {
+    fn eq(&self, other: &Self) -> bool {
+        let same = |(a, b): (&f64, &f64)| {
+            (a.is_nan() && b.is_nan()) || (a - b).abs() <= SAME * a.abs().max(b.abs())
+        };
+        (self.starts, self.digest) == (other.starts, other.digest)
+            && self.probes.len() == other.probes.len()
+            && self.probes.iter().zip(&other.probes).all(same)
+    }
+}
+
+impl DesignPart {
+    /// A part without starts of the problem of a design.
+    pub(crate) fn new<M, A, const N: usize>(
+        design: &Design<'_, M, A, N>,
+        problem: &Problem<'_, M, A, N>,
+    ) -> Self
+    where
+        M: Dimensions<N> + Copy,
+    {
+        let settings = &design.settings;
+        let numbers = (settings.starts, settings.seed, settings.steps);
+        let titles = design.objectives.iter().map(|wanted| wanted.title());
+        let titles: Vec<_> = titles.collect();
+        // Rust's notation of numbers is exact.
+        let text = format!(
+            "{numbers:?} {titles:?} {:?} {:?} {:?} {}",
+            problem.varied,
+            problem.limits,
+            design.nominal.values(),
+            design.assemblies.len()
+        );
+        let probes = probes(
+            problem,
+            &design.assemblies,
+            (settings.seed, settings.starts),
+        );
+        Self {
+            problem: Identity {
+                starts: settings.starts,
+                digest: digest(text.as_bytes()),
+                probes,
+            },
+            blocks: BTreeMap::new(),
+        }
+    }
+
+    /// Adds the descents of another part of the same problem.
+    ///
+    /// # Errors
+    ///
+    /// `OtherProblem` if what is wanted, variables, bounds, starts, seed or steps differ; `Repeated`
+    /// if both have a start. Nothing changes then.
+    pub fn merge(&mut self, part: &Self) -> Result<(), DesignError> {
+        if self.problem != part.problem {
+            return Err(DesignError::OtherProblem);
+        }
+        if part.blocks.keys().any(|key| self.blocks.contains_key(key)) {
+            return Err(DesignError::Repeated);
+        }
+        let blocks = part.blocks.iter();
+        self.blocks
+            .extend(blocks.map(|(&number, block)| (number, block.clone())));
+        Ok(())
+    }
+
+    /// The number of starts that have been tried.
+    #[must_use]
+    pub fn done(&self) -> usize {
+        let starts = |&number: &usize| starts_of(number, self.problem.starts).len();
+        self.blocks.keys().map(starts).sum()
+    }
+
+    /// The number of all starts of the problem.
+    #[must_use]
+    pub const fn count(&self) -> usize {
+        self.problem.starts
+    }
+}
+
+/// The starts of a block.
+pub(crate) fn starts_of(number: usize, starts: usize) -> core::ops::Range<usize> {
+    number * BLOCK..starts.min((number + 1) * BLOCK)
+}
+
+fn probes<M: Dimensions<N> + Copy, A, const N: usize>(
+    problem: &Problem<'_, M, A, N>,
+    assemblies: &[A],
+    (seed, starts): (u64, usize),
+) -> Vec<f64> {
+    let count = problem.limits.len();
+    let mut evaluator = Evaluator::new(problem);
+    let mut normal = Normal::new(count);
+    let starts = (0..starts).filter_map(|index| {
+        let start = problem.start(&quasi_random::unit(seed, index, count));
+        start.ok()
+    });
+    let starts: Vec<_> = starts.take(PROBES).collect();
+    let mut sums = Vec::new();
+    for assembly in assemblies {
+        evaluator.evaluate(assembly, starts.iter().map(Vec::as_slice));
+        for index in 0..starts.len() {
+            evaluator.normal(index, &mut normal);
+            sums.push(normal.sum);
+        }
+    }
+    sums
+}

@@ -1,0 +1,93 @@
+//! Searches in parts: the designs of one search, for every division and through bytes.
+
+use super::{FourBar, FourBarAssembly, FourBarDesign, evenly, points, problem};
+use linkage::design::{DesignError, DesignPart, Objective, Targets};
+use std::sync::atomic::{AtomicBool, Ordering};
+
+/// Points that no four-bar with this arm passes through, moved so far.
+fn moved(by: f64) -> impl Objective<FourBar, FourBarAssembly> {
+    let inputs = evenly(0.3, 0.9, 5);
+    let moved: Vec<[f64; 2]> = points(&inputs)
+        .iter()
+        .map(|[x, y]| [x + by * y.sin(), *y])
+        .collect();
+    Targets::new("tracer", moved).computed_by(FourBarAssembly::path_sweep_sets_into)
+}
+
+/// 300 starts: the last block is not full.
+fn small<'a>() -> FourBarDesign<'a> {
+    problem().want(moved(3.0)).starts(300)
+}
+
+#[test]
+fn every_division_has_the_same_designs() {
+    let whole = small().run().expect("it can be found");
+    assert!(whole.designs.len() > 4 && whole.refused > 0);
+    for of in [1, 4, 9] {
+        let mut done = 0;
+        let mut design = small();
+        // The last part comes first, each through bytes.
+        for k in (0..of).rev() {
+            let part = small().part(k, of).descend().expect("descents");
+            done += part.done();
+            assert_eq!(part.count(), 300);
+            let read = DesignPart::read(&part.to_bytes());
+            assert_eq!(read.as_ref(), Ok(&part));
+            design = design.known(read.expect("the same"));
+        }
+        assert_eq!(done, 300);
+        let mut evaluated = 0;
+        let design = design.progress(|progress| evaluated = progress.count);
+        assert_eq!(design.run().expect("it can be found"), whole, "{of} parts");
+        assert_eq!(evaluated, 0);
+    }
+}
+
+/// An ended search goes on from what it has; a part that is missing is computed.
+#[test]
+fn missing_descents_are_made() {
+    let whole = small().run().expect("it can be found");
+    let stop = AtomicBool::new(false);
+    let begun = small()
+        .cancel(&stop)
+        .progress(|_| stop.store(true, Ordering::Relaxed))
+        .descend()
+        .expect("descents");
+    assert!((1..300).contains(&begun.done()), "{}", begun.done());
+    assert_eq!(small().known(begun).run(), Ok(whole.clone()));
+    let middle = small().part(1, 3).descend().expect("descents");
+    assert_eq!(small().known(middle).run(), Ok(whole));
+}
+
+#[test]
+fn other_parts_are_refused() {
+    let part = small().part(0, 4).descend().expect("descents");
+    let refused = |design: FourBarDesign<'_>| design.descend().err();
+    for other in [
+        small().seed(1),
+        small().starts(301),
+        small().steps(299),
+        small().vary("arm.x", 5.0, 60.0),
+        problem().want(moved(3.001)).starts(300),
+    ] {
+        assert_eq!(
+            refused(other.known(part.clone())),
+            Some(DesignError::OtherProblem)
+        );
+    }
+    let twice = small().known(part.clone()).known(part.clone());
+    assert_eq!(refused(twice), Some(DesignError::Repeated));
+    for (k, of) in [(4, 4), (0, 0)] {
+        assert_eq!(
+            refused(small().part(k, of)),
+            Some(DesignError::Part { part: k, of })
+        );
+    }
+    let bytes = part.to_bytes();
+    for index in (0..bytes.len()).step_by(37) {
+        let mut damaged = bytes.clone();
+        damaged[index] ^= 4;
+        assert_eq!(DesignPart::read(&damaged), Err(DesignError::NoPart));
+    }
+    assert_eq!(DesignPart::read(&bytes[..40]), Err(DesignError::NoPart));
+}
