@@ -11,11 +11,11 @@ use super::rounds::in_rounds;
 use super::search::{BLOCK, Block, block, distinct};
 use super::settings::{End, Report};
 use super::{DesignError, DesignSearch, Refusals};
-use linkage_runtime::Dimensions;
+use linkage_runtime::DimensionSet;
 
 impl<'a, M, A, const N: usize> Design<'a, M, A, N>
 where
-    M: Dimensions<N> + Copy + Send + Sync,
+    M: DimensionSet<N> + Copy + Send + Sync,
     A: Clone + Send + Sync,
 {
     /// Searches from all starts, and lists all distinct local optima that hold the conditions.

@@ -49,6 +49,11 @@ impl Mechanism {
             fused,
         }
     }
+
+    /// The mechanism of the engine.
+    pub(crate) fn compiled(&self) -> &Arc<linkage_engine::Mechanism> {
+        &self.compiled
+    }
 }
 
 #[pymethods]
