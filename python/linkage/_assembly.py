@@ -404,18 +404,16 @@ def evaluate(
             f"`out` is a result of `{reused.function.name}` at {reused.shape}: a result of "
             f"`{function.name}` at {shape} is needed"
         )
-    if not dimensions and bound.assembly.mechanism._code is not None:
-        from ._compiled import code_assembly
-
-        machine = code_assembly(bound.assembly)
-        if machine is not None:
-            machine.sweep(function.index, flat, result._numbers, threads())
-            return result
+    flat, others = flat[: len(given)], flat[len(given) :]
     sets = None
     if dimensions:
-        base = [np.array([number]) for number in native.dimensions]
-        for index, one in zip(dimensions, flat[len(given) :]):
-            base[index] = one
-        sets = base
-    native.sweep(function.index, sets, flat[: len(given)], result._numbers, threads())
+        sets = [np.array([number]) for number in native.dimensions]
+        for index, one in zip(dimensions, others):
+            sets[index] = one
+    if bound.assembly.mechanism._code is not None:
+        from ._compiled import code_sweep
+
+        if code_sweep(bound, sets, flat, result._numbers):
+            return result
+    native.sweep(function.index, sets, flat, result._numbers, threads())
     return result

@@ -106,12 +106,15 @@ class Mechanism:
     def to_c(self, scalar: str) -> tuple[str, str, str]: ...
     def column_sweeps(
         self,
-    ) -> tuple[list[tuple[str, str]], str, tuple[str, str, str], list[str | None]]: ...
+    ) -> tuple[
+        list[tuple[str, str]], str, tuple[str, str, str], list[str | None], list[str | None]
+    ]: ...
     def page(self, dimensions: list[float], positions: int) -> str: ...
 
 class Assembly:
     dimensions: list[float]
     modes: list[int]
+    turns: list[float]
     served: float
 
     def follower(self, inputs: list[float]) -> Follower: ...

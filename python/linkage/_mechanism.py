@@ -289,8 +289,8 @@ class Mechanism:
         """Returns the mechanism with sweeps as machine code of the system's C compiler.
 
         They take a fraction of the time of the interpreter, and have the numbers of `fused=False`:
-        to the last bit if all groups have a closed form, else to the last digits. Sweeps over
-        dimensions stay with the interpreter.
+        to the last bit if all groups have a closed form, else to the last digits. Sweeps of coupled
+        groups over dimensions stay with the interpreter.
 
         Parameters
         ----------

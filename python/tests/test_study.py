@@ -1,7 +1,10 @@
 """Random mechanisms: statistics, parts, copies, mistakes."""
 
 import pickle
+import threading
+import time
 
+import _thread
 import linkage
 import numpy as np
 import pytest
@@ -90,6 +93,19 @@ def test_mechanisms_that_do_not_close_are_counted(rocking):
     found = far.monte_carlo("motion", 0.9, quantities="psi", count=5000)
     assert 0 < found.missing < found.done == 5000
     assert found.statistics("psi").count == 5000 - found.missing
+
+
+def test_ctrl_c_ends_a_study_and_progress_is_shown(m):
+    seen = []
+    timer = threading.Timer(0.5, _thread.interrupt_main)
+    timer.start()
+    began = time.perf_counter()
+    with pytest.raises(KeyboardInterrupt):
+        m.monte_carlo("path", 1.2, count=10**12, progress=lambda *news: seen.append(news))
+    timer.join()
+    assert time.perf_counter() - began < 30
+    done, all = seen[-1]
+    assert 0 < done < all == 10**12
 
 
 @pytest.mark.parametrize(
