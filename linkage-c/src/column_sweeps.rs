@@ -4,13 +4,14 @@ use std::fmt::Write;
 
 use linkage_compiler::ir::CompiledMechanism;
 use linkage_export::{FunctionDeclaration, Refused};
+use linkage_symbolic::program::Source;
 
 use crate::comment::comment;
 use crate::evaluator::values;
 use crate::real::Real;
 use crate::source::writer;
 use crate::surface::surface;
-use crate::writer::Writer;
+use crate::writer::{Writer, source_expression};
 use crate::{Sources, sources};
 
 /// Positions of a block.
@@ -33,6 +34,10 @@ pub struct ColumnSweeps {
     /// the assembly, the count, an array for each argument, the steps from number to number in each
     /// of them (0 for one that stands still, else 1), and an array for each column.
     pub sweeps: Vec<Option<String>>,
+    /// For each function, the name of the sweep over mechanisms, in the modes of the estimates:
+    /// `None` if the function needs a coupled group. It takes the turns of the angles, then as the
+    /// other sweep the count, arrays for the arguments and for all dimensions, steps, and columns.
+    pub sets: Vec<Option<String>>,
 }
 
 /// Prints a mechanism with sweeps into columns.
@@ -68,15 +73,25 @@ pub fn column_sweeps(
     );
     let mut writer = writer(&surface);
     let functions = surface.declarations.functions.iter();
-    let functions = functions.zip(&surface.functions);
-    let sweeps = functions.map(|(function, evaluator)| {
-        let sweep = evaluator.sweep.as_ref()?;
+    let (mut sweeps, mut sets) = (Vec::new(), Vec::new());
+    for (function, evaluator) in functions.zip(&surface.functions) {
+        let Some(sweep) = &evaluator.sweep else {
+            sweeps.push(None);
+            sets.push(None);
+            continue;
+        };
         let name = format!("{}_columns", sweep.name);
-        columns += &sweep_text(&mut writer, function, &name);
-        Some(name)
-    });
+        columns += &positions(&mut writer, function, &name);
+        sweeps.push(Some(name));
+        sets.push(is_closed(function).then(|| {
+            let name = format!("{}_sets_columns", sweep.name);
+            columns += &mechanisms(&mut writer, function, &name);
+            name
+        }));
+    }
     Ok(ColumnSweeps {
-        sweeps: sweeps.collect(),
+        sweeps,
+        sets,
         columns,
         assemble: surface.assemble.name.clone(),
         assembly_size: surface.assembly_size.name.clone(),
@@ -85,37 +100,137 @@ pub fn column_sweeps(
     })
 }
 
-/// The sweep of a function: rows of a block by a function whose arrays do not overlap, so that
-/// compilers compute several rows at once. Arguments that stand still fill an array of a block.
-fn sweep_text(writer: &mut Writer<'_>, function: &FunctionDeclaration, name: &str) -> String {
+/// True for a function without a coupled group.
+fn is_closed(function: &FunctionDeclaration) -> bool {
+    function.function.states.is_empty() && function.function.beside.is_none()
+}
+
+/// The sweep of a function over positions.
+fn positions(writer: &mut Writer<'_>, function: &FunctionDeclaration, name: &str) -> String {
     let (statements, results) = values(writer, function);
     let declarations = &writer.surface.declarations;
-    let (mechanism, number) = (&declarations.name, writer.surface.real.name());
     // Names of the user are in the statements.
     let private = &declarations.private;
-    let arguments = function.arguments.iter().enumerate();
-    let mut values = String::new();
-    for (k, argument) in arguments {
+    let body = arguments(writer, function) + &statements + &stored(private, &results);
+    Rows {
+        name,
+        shared: format!("const {} *m", declarations.name),
+        passed: "m".to_owned(),
+        arrays: function.arguments.len(),
+        columns: results.len(),
+        body,
+    }
+    .text(writer)
+}
+
+/// The sweep of a function over mechanisms: each row prepares its own.
+fn mechanisms(writer: &mut Writer<'_>, function: &FunctionDeclaration, name: &str) -> String {
+    let surface = writer.surface;
+    let (declarations, number) = (&surface.declarations, surface.real.name());
+    let (unit, private) = (&declarations.unit, &declarations.private);
+    let program = &function.function.called.program;
+    let (preparing, slots) = unit.preparing(program);
+    let first = function.arguments.len();
+    let inputs = unit.inputs.len() + 1;
+    let source = |source| match source {
+        Source::Input(index) => {
+            let argument = function.argument(index);
+            argument.expect("a program uses only its inputs").to_owned()
+        }
+        Source::Parameter(index) => format!("{private}x{}[{private}k]", first + index),
+        Source::Prepared(slot) => format!("{private}p{slot}"),
+        Source::Centre(angle) => format!("{private}turns[{}]", angle * inputs),
+        Source::Winding(angle, input) => format!("{private}turns[{}]", angle * inputs + 1 + input),
+        other => source_expression(surface, other),
+    };
+    let prepared = writer.printer.program(&preparing, &source);
+    let printed = writer.printer.program(program, &source);
+    let mut body = arguments(writer, function);
+    for slot in &slots {
+        let _ = writeln!(body, "    {number} {private}p{slot};");
+    }
+    // Both programs have the same names of values.
+    let _ = writeln!(body, "    {{\n{}", prepared.statements.trim_end());
+    for (slot, value) in slots.iter().zip(&prepared.results) {
+        let _ = writeln!(body, "    {private}p{slot} = {value};");
+    }
+    let _ = writeln!(body, "    }}\n{}", printed.statements.trim_end());
+    body += &stored(private, &printed.results);
+    Rows {
+        name,
+        shared: format!("const {number} *{private}turns"),
+        passed: format!("{private}turns"),
+        arrays: first + declarations.scalars.len(),
+        columns: printed.results.len(),
+        body,
+    }
+    .text(writer)
+}
+
+/// Statements that read the arguments of a row.
+fn arguments(writer: &Writer<'_>, function: &FunctionDeclaration) -> String {
+    let (private, number) = (
+        &writer.surface.declarations.private,
+        writer.surface.real.name(),
+    );
+    let mut text = String::new();
+    for (k, argument) in function.arguments.iter().enumerate() {
         let name = &argument.name;
         let _ = writeln!(
-            values,
+            text,
             "    const {number} {name} = {private}x{k}[{private}k];"
         );
     }
-    values += &statements;
+    text
+}
+
+/// Statements that store the results of a row.
+fn stored(private: &str, results: &[String]) -> String {
+    let mut text = String::new();
     for (k, result) in results.iter().enumerate() {
-        let _ = writeln!(values, "    {private}c{k}[{private}k] = {result};");
+        let _ = writeln!(text, "    {private}c{k}[{private}k] = {result};");
     }
-    let values = values.replace('\n', "\n    ");
-    let list = |count: usize, item: &dyn Fn(usize) -> String| (0..count).map(item).collect();
-    let (arguments, results) = (function.arguments.len(), results.len());
-    let inputs: String = list(arguments, &|k| {
-        format!(", const {number} *restrict {private}x{k}")
-    });
-    let outputs: String = list(results, &|k| format!(", {number} *restrict {private}c{k}"));
-    let rows = format!(
-        "
-static void {name}_rows(const {mechanism} *m, size_t {private}count{inputs}{outputs})
+    text
+}
+
+/// A sweep: rows of a block by a function whose arrays do not overlap, so that compilers compute
+/// several rows at once. Arrays that stand still are filled for a block.
+struct Rows<'a> {
+    name: &'a str,
+    /// The parameter that all rows have in common, and its name.
+    shared: String,
+    passed: String,
+    /// The number of arrays that are read.
+    arrays: usize,
+    /// The number of arrays that are written.
+    columns: usize,
+    /// The statements of a row.
+    body: String,
+}
+
+impl Rows<'_> {
+    fn text(&self, writer: &Writer<'_>) -> String {
+        let Self {
+            name,
+            shared,
+            passed,
+            arrays,
+            columns,
+            body,
+        } = self;
+        let (private, number) = (
+            &writer.surface.declarations.private,
+            writer.surface.real.name(),
+        );
+        let body = body.replace('\n', "\n    ");
+        let list = |count: usize, item: &dyn Fn(usize) -> String| (0..count).map(item).collect();
+        let inputs: String = list(*arrays, &|k| {
+            format!(", const {number} *restrict {private}x{k}")
+        });
+        let outputs: String = list(*columns, &|k| format!(", {number} *restrict {private}c{k}"));
+        let rows = format!(
+            "
+static void {name}_rows({shared}, size_t {private}count{inputs}{outputs})
 {{
     size_t {private}k;
     for ({private}k = 0; {private}k < {private}count; {private}k++) {{
@@ -123,27 +238,26 @@ static void {name}_rows(const {mechanism} *m, size_t {private}count{inputs}{outp
     }}
 }}
 ",
-        values.trim_end()
-    );
-    let constants: String = list(arguments, &|k| {
-        format!(
-            "    {number} s{k}[{BLOCK}];\n    if (!steps[{k}]) for (k = 0; k < {BLOCK}; k++) s{k}[k] = x[{k}][0];\n"
-        )
-    });
-    let inputs: String = list(arguments, &|k| {
-        format!(", steps[{k}] ? x[{k}] + from : s{k}")
-    });
-    let outputs: String = list(results, &|k| format!(", columns[{k}] + from"));
-    rows + &format!(
-        "
-void {name}(const {mechanism} *m, size_t count, const {number} *const *x, const size_t *steps, {number} *const *columns)
+            body.trim_end()
+        );
+        let constants: String = list(*arrays, &|k| {
+            format!(
+                "    {number} s{k}[{BLOCK}];\n    if (!steps[{k}]) for (k = 0; k < {BLOCK}; k++) s{k}[k] = x[{k}][0];\n"
+            )
+        });
+        let inputs: String = list(*arrays, &|k| format!(", steps[{k}] ? x[{k}] + from : s{k}"));
+        let outputs: String = list(*columns, &|k| format!(", columns[{k}] + from"));
+        rows + &format!(
+            "
+void {name}({shared}, size_t count, const {number} *const *x, const size_t *steps, {number} *const *columns)
 {{
     size_t from, k;
 {constants}    for (from = 0; from < count; from += {BLOCK}) {{
         const size_t rows = count - from < {BLOCK} ? count - from : {BLOCK};
-        {name}_rows(m, rows{inputs}{outputs});
+        {name}_rows({passed}, rows{inputs}{outputs});
     }}
 }}
 "
-    )
+        )
+    }
 }

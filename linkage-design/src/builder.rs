@@ -9,7 +9,7 @@ use super::condition::Condition;
 use super::settings::{Progress, Settings, settings_methods};
 use super::varied::{Freedom, freedom_methods};
 use super::{DesignError, DesignPart, Objective, Relation};
-use linkage_runtime::{AssemblyError, Circuits, Dimensions};
+use linkage_runtime::{AssemblyError, Circuits, DimensionSet};
 
 /// Starts, unless the design says otherwise.
 const STARTS: usize = 1024;
@@ -38,7 +38,7 @@ pub struct Design<'a, M, A, const N: usize> {
 
 impl<'a, M, A, const N: usize> Design<'a, M, A, N>
 where
-    M: Dimensions<N> + Copy + Send + Sync,
+    M: DimensionSet<N> + Copy + Send + Sync,
     A: Clone + Send + Sync,
 {
     /// A problem for a mechanism, whose parameters stay as they are unless they [vary](Self::vary);

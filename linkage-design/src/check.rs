@@ -7,22 +7,22 @@ use super::DesignError;
 use super::builder::Design;
 use super::problem::{Given, Problem};
 use super::varied::Varied;
-use linkage_runtime::Dimensions;
+use linkage_runtime::DimensionSet;
 
 impl<M, A, const N: usize> Design<'_, M, A, N>
 where
-    M: Dimensions<N> + Copy + Send + Sync,
+    M: DimensionSet<N> + Copy + Send + Sync,
     A: Clone + Send + Sync,
 {
     /// The problem with names looked up, or all mistakes in it.
     pub(super) fn problem(&self) -> Result<Problem<'_, M, A, N>, DesignError> {
-        let values = self.nominal.values();
+        let (values, parameters) = (self.nominal.numbers(), self.nominal.declared());
         let Varied {
             indices: varied,
             limits,
             catalogues,
             mut errors,
-        } = self.freedom.varied(M::PARAMETERS, &values);
+        } = self.freedom.varied(parameters, &values);
         let cycle = (self.circuits)(&self.nominal)
             .map_err(DesignError::Start)?
             .cycle;
@@ -41,10 +41,10 @@ where
             errors.push(DesignError::Part { part, of });
         }
         for objective in &self.objectives {
-            errors.extend(objective.check(&cycle, M::PARAMETERS, &varied));
+            errors.extend(objective.check(&cycle, parameters, &varied));
         }
         DesignError::all(errors)?;
-        let names = varied.iter().map(|&k| M::PARAMETERS[k].name);
+        let names = varied.iter().map(|&k| parameters[k].name);
         let names: Vec<_> = names.collect();
         self.freedom.consistent(&limits, &names)?;
         let free = self
@@ -54,7 +54,7 @@ where
             .collect();
         let problem = Problem::new(
             Given {
-                nominal: values,
+                nominal: self.nominal,
                 varied,
                 limits,
                 catalogues,

@@ -10,7 +10,7 @@ use super::problem::Evaluator;
 use super::results::Results;
 use super::search;
 use super::settings::End;
-use linkage_runtime::Dimensions;
+use linkage_runtime::DimensionSet;
 
 /// Sums that differ by less than this part are equal, as those of optima that are one.
 const SAME: f64 = 1e-6;
@@ -21,7 +21,7 @@ const LOOKED_AT: usize = 16;
 
 impl<M, A, const N: usize> Results<'_, M, A, N>
 where
-    M: Dimensions<N> + Copy + Send + Sync,
+    M: DimensionSet<N> + Copy + Send + Sync,
     A: Clone + Send + Sync,
 {
     /// Returns a design that is better than the best one: the optimum next to the declared

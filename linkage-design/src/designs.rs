@@ -90,9 +90,51 @@ impl<M, A> DesignSearch<M, A> {
     pub fn best(&self) -> &FoundDesign<M, A> {
         &self.designs[0]
     }
+
+    /// The same search with other objects as its mechanisms, such as lists of dimensions.
+    #[must_use]
+    pub fn map<B>(self, mechanism: impl Fn(M) -> B) -> DesignSearch<B, A> {
+        let designs = self.designs.into_iter();
+        DesignSearch {
+            designs: designs.map(|design| design.map(&mechanism)).collect(),
+            starts: self.starts,
+            refused: self.refused,
+            open: self.open,
+            broken: self.broken,
+            not_whole: self.not_whole,
+            unverified: self.unverified,
+            left_out: self.left_out,
+            evaluations: self.evaluations,
+            ended_early: self.ended_early,
+            residuals: self.residuals,
+            variables: self.variables,
+        }
+    }
 }
 
 impl<M, A> FoundDesign<M, A> {
+    fn map<B>(self, mechanism: impl Fn(M) -> B) -> FoundDesign<B, A> {
+        FoundDesign {
+            mechanism: mechanism(self.mechanism),
+            assembly: self.assembly,
+            sum: self.sum,
+            objectives: self.objectives,
+            residuals: self.residuals,
+            farthest: self.farthest,
+            inputs: self.inputs,
+            margin: self.margin,
+            margin_at: self.margin_at,
+            at_bound: self.at_bound,
+            bound_slopes: self.bound_slopes,
+            bound_units: self.bound_units,
+            active_relations: self.active_relations,
+            active_conditions: self.active_conditions,
+            converged: self.converged,
+            start: self.start,
+            hits: self.hits,
+        }
+    }
+
     /// The parameters with the design's dimensions.
     #[must_use]
     pub fn parameters<const N: usize>(&self) -> [Parameter; N]

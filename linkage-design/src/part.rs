@@ -7,7 +7,7 @@ use std::format;
 use std::vec::Vec;
 
 use linkage_core::bytes::digest;
-use linkage_runtime::Dimensions;
+use linkage_runtime::DimensionSet;
 
 use super::DesignError;
 use super::builder::Design;
@@ -63,7 +63,7 @@ impl DesignPart {
         problem: &Problem<'_, M, A, N>,
     ) -> Self
     where
-        M: Dimensions<N> + Copy,
+        M: DimensionSet<N> + Copy,
     {
         let settings = &design.settings;
         let numbers = (settings.starts, settings.seed, settings.steps);
@@ -74,7 +74,7 @@ impl DesignPart {
             "{numbers:?} {titles:?} {:?} {:?} {:?} {}",
             problem.varied,
             problem.limits,
-            design.nominal.values(),
+            design.nominal.numbers(),
             design.assemblies.len()
         );
         let probes = probes(
@@ -130,7 +130,7 @@ pub(crate) fn starts_of(number: usize, starts: usize) -> core::ops::Range<usize>
     number * BLOCK..starts.min((number + 1) * BLOCK)
 }
 
-fn probes<M: Dimensions<N> + Copy, A, const N: usize>(
+fn probes<M: DimensionSet<N> + Copy, A, const N: usize>(
     problem: &Problem<'_, M, A, N>,
     assemblies: &[A],
     (seed, starts): (u64, usize),

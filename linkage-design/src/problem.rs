@@ -4,7 +4,6 @@ mod conditions;
 mod sizes;
 
 use core::f64::consts::TAU;
-use core::marker::PhantomData;
 use core::ops::Range;
 use linkage_core::Cycle;
 use std::boxed::Box;
@@ -14,7 +13,7 @@ use super::limits::{Limits, Linear};
 use super::normal::Normal;
 use super::objective::{Candidates, Evaluate, Free, Objective, Rows};
 use super::optimum::Optimum;
-use linkage_runtime::Dimensions;
+use linkage_runtime::{DimensionSet, Parameter};
 
 /// Positive bounds with a larger ratio say nothing of the size: starts then have every order of
 /// size alike.
@@ -24,9 +23,9 @@ const WIDE: f64 = 100.0;
 pub(crate) const ROOM: f64 = 2.0;
 
 /// The parts of a problem besides the objectives.
-pub(crate) struct Given<const N: usize> {
+pub(crate) struct Given<M> {
     /// The parameters that do not vary, and those that do.
-    pub(crate) nominal: [f64; N],
+    pub(crate) nominal: M,
     /// Indices of the parameters that vary, in ascending order.
     pub(crate) varied: Vec<usize>,
     /// Their limits.
@@ -39,7 +38,7 @@ pub(crate) struct Given<const N: usize> {
 
 /// The variables are the parameters that vary, then the free inputs of each objective.
 pub(crate) struct Problem<'a, M, A, const N: usize> {
-    nominal: [f64; N],
+    nominal: M,
     pub(crate) varied: Vec<usize>,
     pub(crate) limits: Limits,
     /// Bounds of starts.
@@ -50,12 +49,11 @@ pub(crate) struct Problem<'a, M, A, const N: usize> {
     free: Vec<Option<Free>>,
     /// The size of each row of a condition, from its own numbers; see [`measured`](Self::measured).
     sizes: Vec<f64>,
-    of: PhantomData<fn(&M)>,
 }
 
-impl<'a, M: Dimensions<N> + Copy, A, const N: usize> Problem<'a, M, A, N> {
+impl<'a, M: DimensionSet<N> + Copy, A, const N: usize> Problem<'a, M, A, N> {
     pub(crate) fn new(
-        given: Given<N>,
+        given: Given<M>,
         objectives: &'a [Box<dyn Objective<M, A> + 'a>],
         free: Vec<Option<Free>>,
     ) -> Self {
@@ -68,7 +66,7 @@ impl<'a, M: Dimensions<N> + Copy, A, const N: usize> Problem<'a, M, A, N> {
             .collect();
         for (j, &index) in given.varied.iter().enumerate() {
             let width = limits.upper[j] - limits.lower[j];
-            if M::PARAMETERS[index].unit == "rad" && width >= TAU - Cycle::TURN {
+            if given.nominal.declared()[index].unit == "rad" && width >= TAU - Cycle::TURN {
                 // An angle that may have any direction has no bounds: room to turn past the seam.
                 limits.lower[j] -= ROOM * TAU;
                 limits.upper[j] += ROOM * TAU;
@@ -90,7 +88,6 @@ impl<'a, M: Dimensions<N> + Copy, A, const N: usize> Problem<'a, M, A, N> {
             objectives,
             free,
             sizes: Vec::new(),
-            of: PhantomData,
         }
     }
 
@@ -100,13 +97,18 @@ impl<'a, M: Dimensions<N> + Copy, A, const N: usize> Problem<'a, M, A, N> {
         bounds.map(|(low, high)| high - low).collect()
     }
 
+    /// The parameter of a variable that is one.
+    pub(crate) fn parameter(&self, variable: usize) -> Parameter {
+        self.nominal.declared()[self.varied[variable]]
+    }
+
     /// The mechanism with these variables.
     pub(crate) fn mechanism(&self, x: &[f64]) -> M {
-        let mut values = self.nominal;
+        let mut values = self.nominal.numbers();
         for (&index, x) in self.varied.iter().zip(x) {
             values[index] = *x;
         }
-        M::from_values(&values)
+        self.nominal.with_numbers(&values)
     }
 
     /// Returns the places of the free inputs of an objective among the variables.
@@ -147,8 +149,8 @@ impl<'a, M: Dimensions<N> + Copy, A, const N: usize> Problem<'a, M, A, N> {
     /// The period of each variable that has one: angles and the inputs of a turn are the same after
     /// a turn.
     pub(crate) fn periods(&self) -> Vec<Option<f64>> {
-        let angle = |&index: &usize| (M::PARAMETERS[index].unit == "rad").then_some(TAU);
-        let mut periods: Vec<Option<f64>> = self.varied.iter().map(angle).collect();
+        let angle = |j: usize| (self.parameter(j).unit == "rad").then_some(TAU);
+        let mut periods: Vec<Option<f64>> = (0..self.varied.len()).map(angle).collect();
         for free in self.free.iter().flatten() {
             periods.resize(periods.len() + free.count, free.turn);
         }
@@ -201,7 +203,7 @@ pub(crate) struct Evaluator<'a, M, A, const N: usize> {
     slopes: Vec<f64>,
 }
 
-impl<'a, M: Dimensions<N> + Copy, A, const N: usize> Evaluator<'a, M, A, N> {
+impl<'a, M: DimensionSet<N> + Copy, A, const N: usize> Evaluator<'a, M, A, N> {
     pub(crate) fn new(problem: &'a Problem<'a, M, A, N>) -> Self {
         let rows = |(objective, free): (_, &Option<Free>)| {
             let objective: &'a (dyn Objective<M, A> + 'a) = Box::as_ref(objective);

@@ -5,10 +5,10 @@ use std::vec::Vec;
 use super::certificate::{Interruption, alike, certify};
 use super::optimum::Optimum;
 use super::problem::{Evaluator, Problem};
-use linkage_runtime::{AssemblyError, Branch, Circuits, Dimensions};
+use linkage_runtime::{AssemblyError, Branch, Circuits, DimensionSet};
 
 /// The assembly of an optimum over the whole range, or why there is none.
-pub(crate) fn certify_optimum<M: Dimensions<N> + Copy, A, const N: usize>(
+pub(crate) fn certify_optimum<M: DimensionSet<N> + Copy, A, const N: usize>(
     problem: &Problem<'_, M, A, N>,
     evaluator: &mut Evaluator<'_, M, A, N>,
     assembly: &A,
@@ -30,7 +30,7 @@ pub(crate) fn certify_optimum<M: Dimensions<N> + Copy, A, const N: usize>(
 }
 
 /// The rows of all objectives.
-fn values<M: Dimensions<N> + Copy, A, const N: usize>(
+fn values<M: DimensionSet<N> + Copy, A, const N: usize>(
     problem: &Problem<'_, M, A, N>,
     evaluator: &Evaluator<'_, M, A, N>,
 ) -> Vec<f64> {
@@ -40,7 +40,7 @@ fn values<M: Dimensions<N> + Copy, A, const N: usize>(
 }
 
 /// Returns the effect of the bounds' widths on each row.
-fn sizes<M: Dimensions<N> + Copy, A, const N: usize>(
+fn sizes<M: DimensionSet<N> + Copy, A, const N: usize>(
     problem: &Problem<'_, M, A, N>,
     evaluator: &Evaluator<'_, M, A, N>,
 ) -> Vec<f64> {

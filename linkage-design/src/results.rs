@@ -17,7 +17,7 @@ use super::proof::certify_optimum;
 use super::search::{distinct, refine};
 use super::settings::End;
 use super::varied::Freedom;
-use linkage_runtime::Dimensions;
+use linkage_runtime::DimensionSet;
 
 /// The inputs of designs.
 pub(super) struct Results<'d, M, A, const N: usize> {
@@ -96,7 +96,7 @@ impl<M, A> Certified<M, A> {
 
 impl<'d, M, A, const N: usize> Results<'d, M, A, N>
 where
-    M: Dimensions<N> + Copy + Send + Sync,
+    M: DimensionSet<N> + Copy + Send + Sync,
     A: Clone + Send + Sync,
 {
     /// The optima with all catalogue parameters at values of their lists.
@@ -265,11 +265,11 @@ where
             margin_at: branch.at,
             at_bound: active
                 .iter()
-                .map(|&(j, bound)| (M::PARAMETERS[problem.varied[j]].name, bound))
+                .map(|&(j, bound)| (problem.parameter(j).name, bound))
                 .collect(),
             bound_units: active
                 .iter()
-                .map(|&(j, _)| M::PARAMETERS[problem.varied[j]].unit)
+                .map(|&(j, _)| problem.parameter(j).unit)
                 .collect(),
             active_relations: self.freedom.active(&problem.limits, &optimum.x),
             active_conditions: problem.active(&normal),

@@ -12,11 +12,11 @@ use super::rounds::in_rounds;
 use super::search::{BLOCK, Block, block, distinct};
 use super::settings::{End, Report};
 use super::{DesignError, DesignPart, DesignSearch, Refusals};
-use linkage_runtime::Dimensions;
+use linkage_runtime::DimensionSet;
 
 impl<'a, M, A, const N: usize> Design<'a, M, A, N>
 where
-    M: Dimensions<N> + Copy + Send + Sync,
+    M: DimensionSet<N> + Copy + Send + Sync,
     A: Clone + Send + Sync,
 {
     /// Searches from all starts, and lists all distinct local optima that hold the conditions.
@@ -117,18 +117,18 @@ where
     ///
     /// ```
     /// use linkage_design::{Design, DesignError, DesignPart, DesignSearch};
-    /// # use linkage_runtime::Dimensions;
+    /// # use linkage_runtime::DimensionSet;
     ///
     /// // In each process: a part, as bytes.
     /// fn part<M, A, const N: usize>(problem: Design<'_, M, A, N>, k: usize, of: usize) -> Result<Vec<u8>, DesignError>
-    /// # where M: Dimensions<N> + Copy + Send + Sync, A: Clone + Send + Sync
+    /// # where M: DimensionSet<N> + Copy + Send + Sync, A: Clone + Send + Sync
     /// {
     ///     Ok(problem.part(k, of).descend()?.to_bytes())
     /// }
     ///
     /// // In one of them: the designs, as of one search.
     /// fn whole<M, A, const N: usize>(mut problem: Design<'_, M, A, N>, parts: &[Vec<u8>]) -> Result<DesignSearch<M, A>, DesignError>
-    /// # where M: Dimensions<N> + Copy + Send + Sync, A: Clone + Send + Sync
+    /// # where M: DimensionSet<N> + Copy + Send + Sync, A: Clone + Send + Sync
     /// {
     ///     for part in parts {
     ///         problem = problem.known(DesignPart::read(part)?);

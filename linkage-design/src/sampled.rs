@@ -14,7 +14,7 @@ use super::objective::{Candidates, Evaluate, Free, Objective, Rows};
 use super::problem::ROOM;
 use super::targets::{Targets, Timing};
 use linkage_core::format::rounded;
-use linkage_runtime::{Dimensions, Parameter, Table};
+use linkage_runtime::{DimensionSet, Parameter, Table};
 
 /// Positions that are longer than the range by less than this part of it fill it: steps in degrees
 /// are rounded.
@@ -24,7 +24,9 @@ const ROUNDING: f64 = 1e-12;
 pub struct Sampled<M, A, C, F, const N: usize> {
     targets: Targets,
     function: F,
-    of: PhantomData<fn(&M, &A) -> C>,
+    /// Makes columns of the function, whether they are filled or not.
+    columns: Box<dyn Fn() -> C + Send + Sync>,
+    of: PhantomData<fn(&M, &A)>,
 }
 
 impl Targets {
@@ -36,23 +38,36 @@ impl Targets {
     #[must_use]
     pub fn computed_by<M, A, C, F, const N: usize>(self, function: F) -> Sampled<M, A, C, F, N>
     where
-        M: Dimensions<N> + Copy,
+        M: DimensionSet<N> + Copy,
         F: Fn(&A, &[M], &[f64], &mut C) + Send + Sync,
-        C: Table + Default,
+        C: Table + Default + 'static,
     {
-        Sampled::new(self, function)
+        self.computed_into(C::default, function)
+    }
+
+    /// Makes an objective of it as [`computed_by`](Self::computed_by) does, for columns whose
+    /// heading is that of the object: `columns` makes columns of the function, empty ones.
+    #[must_use]
+    pub fn computed_into<M, A, C, F, const N: usize>(
+        self,
+        columns: impl Fn() -> C + Send + Sync + 'static,
+        function: F,
+    ) -> Sampled<M, A, C, F, N>
+    where
+        M: DimensionSet<N> + Copy,
+        F: Fn(&A, &[M], &[f64], &mut C) + Send + Sync,
+        C: Table,
+    {
+        Sampled {
+            targets: self,
+            function,
+            columns: Box::new(columns),
+            of: PhantomData,
+        }
     }
 }
 
 impl<M, A, C, F, const N: usize> Sampled<M, A, C, F, N> {
-    pub(super) fn new(targets: Targets, function: F) -> Self {
-        Self {
-            targets,
-            function,
-            of: PhantomData,
-        }
-    }
-
     fn called(&self) -> String {
         format!("targets of {}", self.targets.quantities.join(", "))
     }
@@ -130,10 +145,10 @@ impl<M, A, C, F, const N: usize> Sampled<M, A, C, F, N> {
 
 impl<M, A, C, F, const N: usize> Objective<M, A> for Sampled<M, A, C, F, N>
 where
-    M: Dimensions<N> + Copy + Send + Sync,
+    M: DimensionSet<N> + Copy + Send + Sync,
     A: Sync,
     F: Fn(&A, &[M], &[f64], &mut C) + Send + Sync,
-    C: Table + Default,
+    C: Table,
 {
     fn title(&self) -> String {
         self.called()
@@ -152,7 +167,7 @@ where
             ..
         } = &self.targets;
         let (position, k) = (row / weights.len() + 1, row % weights.len());
-        let columns = C::default();
+        let columns = (self.columns)();
         let heading = columns.heading();
         let numbers = Numbers::all(heading, quantities);
         let column = numbers.iter().nth(k).map(|nth| &heading.columns[nth.value]);
@@ -237,8 +252,16 @@ where
         errors.extend(self.too_long(cycle));
         let each = targets.first().map_or(0, Vec::len);
         errors.extend(self.count("weights", each, weights.len()));
+        let uneven = targets.iter().find(|row| row.len() != each);
+        errors.extend(uneven.and_then(|row| self.count("numbers of a target", each, row.len())));
         let free = !matches!(timing, Timing::Given(_));
-        match Numbers::find(C::default().heading(), quantities, free, parameters, varied) {
+        match Numbers::find(
+            (self.columns)().heading(),
+            quantities,
+            free,
+            parameters,
+            varied,
+        ) {
             Err(more) => errors.extend(more),
             Ok(numbers) => errors.extend(self.count("numbers of a target", numbers.len(), each)),
         }
@@ -246,7 +269,7 @@ where
     }
 
     fn evaluator(&self) -> Box<dyn Evaluate<M, A> + '_> {
-        let columns = C::default();
+        let columns = (self.columns)();
         let numbers = Numbers::all(columns.heading(), &self.targets.quantities);
         Box::new(Evaluator {
             objective: self,
@@ -268,9 +291,9 @@ struct Evaluator<'a, M, A, C, F, const N: usize> {
 
 impl<M, A, C, F, const N: usize> Evaluate<M, A> for Evaluator<'_, M, A, C, F, N>
 where
-    M: Dimensions<N> + Copy,
+    M: DimensionSet<N> + Copy,
     F: Fn(&A, &[M], &[f64], &mut C) + Send + Sync,
-    C: Table + Default,
+    C: Table,
 {
     fn evaluate(&mut self, candidates: &Candidates<'_, M, A>, rows: &mut Rows) {
         let count = candidates.mechanisms.len();

@@ -9,14 +9,14 @@ use super::optimum::Optimum;
 use super::problem::{Evaluator, Problem};
 use super::quasi_random;
 use super::refusals::{Fate, Tally};
-use linkage_runtime::Dimensions;
+use linkage_runtime::DimensionSet;
 
 /// Starts of a block, which are evaluated side by side: enough for lanes, and few enough that their
 /// numbers stay in the cache.
 pub(crate) const BLOCK: usize = 32;
 
 /// The optimum within narrower limits, from this one.
-pub(crate) fn refine<M: Dimensions<N> + Copy, A, const N: usize>(
+pub(crate) fn refine<M: DimensionSet<N> + Copy, A, const N: usize>(
     optimum: &Optimum,
     limits: &Limits,
     problem: &Problem<'_, M, A, N>,
@@ -50,7 +50,7 @@ pub(crate) struct Block {
 }
 
 /// Runs the starts of a block, in the modes of each assembly.
-pub(crate) fn block<M: Dimensions<N> + Copy, A, const N: usize>(
+pub(crate) fn block<M: DimensionSet<N> + Copy, A, const N: usize>(
     problem: &Problem<'_, M, A, N>,
     assemblies: &[A],
     seed: u64,

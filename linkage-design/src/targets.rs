@@ -65,9 +65,22 @@ impl Targets {
         targets: impl IntoIterator<Item = [f64; K]>,
     ) -> Self {
         Self {
-            quantities: quantities.into_iter().map(ToString::to_string).collect(),
-            targets: targets.into_iter().map(|row| row.to_vec()).collect(),
             weights: vec![1.0; K],
+            ..Self::of_rows(quantities, targets.into_iter().map(|row| row.to_vec()))
+        }
+    }
+
+    /// The same for numbers that are read at run time: a row for each position.
+    #[must_use]
+    pub fn of_rows<'a>(
+        quantities: impl IntoIterator<Item = &'a str>,
+        rows: impl IntoIterator<Item = Vec<f64>>,
+    ) -> Self {
+        let targets: Vec<Vec<f64>> = rows.into_iter().collect();
+        Self {
+            quantities: quantities.into_iter().map(ToString::to_string).collect(),
+            weights: vec![1.0; targets.first().map_or(0, Vec::len)],
+            targets,
             timing: Timing::InOrder,
         }
     }

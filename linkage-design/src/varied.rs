@@ -6,7 +6,7 @@ use std::vec::Vec;
 
 use super::limits::{Limits, Linear};
 use super::{DesignError, Relation, contradiction};
-use linkage_runtime::{Dimensions, Parameter};
+use linkage_runtime::{DimensionSet, Parameter};
 
 /// The parameters that vary, by name.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -91,16 +91,15 @@ impl Freedom {
     }
 
     /// Lets a parameter vary by a part of its size in a mechanism.
-    pub(crate) fn vary_by<M: Dimensions<N>, const N: usize>(
+    pub(crate) fn vary_by<M: DimensionSet<N>, const N: usize>(
         &mut self,
         name: &str,
         part: f64,
         mechanism: &M,
     ) {
-        let index = M::PARAMETERS
-            .iter()
-            .position(|parameter| parameter.name == name);
-        let value = index.map_or(f64::NAN, |index| mechanism.values()[index]);
+        let mut parameters = mechanism.declared().iter();
+        let index = parameters.position(|parameter| parameter.name == name);
+        let value = index.map_or(f64::NAN, |index| mechanism.numbers()[index]);
         let room = part * value.abs();
         self.vary(name, value - room, value + room);
     }

@@ -174,6 +174,20 @@ impl<'m> Assembly<'m> {
         self.core().dimensions.mechanism
     }
 
+    /// Returns the turns of the continuous angles, as exported sweeps over dimensions take them: for
+    /// each angle its centre, then its winding with each input.
+    #[must_use]
+    pub fn turns(&self) -> Vec<f64> {
+        let compiled = &self.mechanism().compiled;
+        let inputs = compiled.inputs.len();
+        let angle = |angle| {
+            let windings = (0..inputs).map(move |input| Source::Winding(angle, input));
+            std::iter::once(Source::Centre(angle)).chain(windings)
+        };
+        let sources = (0..compiled.angles.len()).flat_map(angle);
+        sources.map(|source| self.constant(source)).collect()
+    }
+
     /// The numbers that depend on the dimensions alone.
     pub(crate) fn prepared(&self) -> &[f64] {
         &self.core().prepared

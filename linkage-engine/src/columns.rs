@@ -39,6 +39,16 @@ impl Default for Columns {
 }
 
 impl Columns {
+    /// Columns of a function, without a row.
+    #[cfg(feature = "design")]
+    pub(crate) fn empty(heading: &'static Heading) -> Self {
+        Self {
+            heading,
+            rows: 0,
+            columns: vec![Vec::new(); heading.columns.len()],
+        }
+    }
+
     /// Makes them columns of a function, and fills them in parts by threads: each part from a row
     /// on.
     pub(crate) fn fill(

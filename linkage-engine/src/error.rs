@@ -70,6 +70,21 @@ impl Display for UnknownFunction {
 
 impl Error for UnknownFunction {}
 
+/// A design problem with mistakes, or one without a result: the message.
+#[cfg(feature = "design")]
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct DesignError(pub(crate) String);
+
+#[cfg(feature = "design")]
+impl Display for DesignError {
+    fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
+        f.write_str(self.0.trim_end())
+    }
+}
+
+#[cfg(feature = "design")]
+impl Error for DesignError {}
+
 /// Tolerances whose effects cannot be computed: the message.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct ToleranceError(pub(crate) String);

@@ -21,6 +21,8 @@
 //! | compute parts of a sweep | [`Assembly::sweep_in_parts`], [`Assembly::sweep_sets_in_parts`] |
 //! | go from position to position | [`Assembly::follower`] |
 //! | see effects of tolerances | [`Mechanism::sensitive_quantities`] |
+//! | draw mechanisms within their tolerances | `RandomStudy::new` (feature `monte-carlo`) |
+//! | find dimensions for a path or a law | `Mechanism::design` (feature `design`) |
 //! | name, unit and meaning of results | [`Mechanism::headings`]; [`Columns`] is a [`Table`] |
 //!
 //! Numbers are `f64`, lengths in the unit of the mechanism, angles in radians.
@@ -38,6 +40,8 @@ mod assembled;
 mod assembly_follower;
 mod columns;
 mod compiled;
+#[cfg(feature = "design")]
+mod design;
 mod error;
 mod kinematics;
 mod mechanism;
@@ -45,6 +49,10 @@ mod messages;
 mod normal;
 mod numbers;
 mod operations;
+#[cfg(feature = "monte-carlo")]
+mod random_results;
+#[cfg(feature = "monte-carlo")]
+mod random_study;
 mod results;
 mod source;
 mod sweep;
@@ -53,6 +61,10 @@ mod tolerance_effects;
 pub use assembly_follower::Follower;
 pub use columns::Columns;
 pub use compiled::Assembly;
+#[cfg(feature = "design")]
+pub use design::{DesignProblem, Designs, Variable};
+#[cfg(feature = "design")]
+pub use error::DesignError;
 pub use error::{CompileError, SourceError, ToleranceError, UnknownFunction};
 pub use linkage_runtime::{
     AssemblyError, AssemblyMode, Branch, BranchEnd, Circuits, Estimate, Heading, Input,
@@ -61,6 +73,10 @@ pub use linkage_runtime::{
 pub use mechanism::{Mechanism, compile, compile_in_any_range};
 pub use messages::{rendered, rendered_warning};
 pub use normal::normal_form;
+#[cfg(feature = "monte-carlo")]
+pub use random_results::{ExtremeMechanism, RandomResults};
+#[cfg(feature = "monte-carlo")]
+pub use random_study::{RandomStudy, StudyPlan};
 pub use results::Results;
 pub use source::{MechanismCall, Source};
 pub use sweep::parts::Sweep;

@@ -52,3 +52,31 @@ pub trait Dimensions<const N: usize>: Sized {
         })
     }
 }
+
+/// A mechanism as `N` numbers with names. Each mechanism with [`Dimensions`] is one. The names of a
+/// mechanism that is compiled at run time are those of the object, not of its type.
+pub trait DimensionSet<const N: usize>: Sized {
+    /// The parameters of the declaration in the order of the numbers: `N`, or fewer if the last
+    /// numbers have no meaning.
+    fn declared(&self) -> &[Parameter];
+
+    /// The dimensions in the units of [`declared`](Self::declared).
+    fn numbers(&self) -> [f64; N];
+
+    /// The same mechanism with other dimensions.
+    fn with_numbers(&self, numbers: &[f64; N]) -> Self;
+}
+
+impl<M: Dimensions<N>, const N: usize> DimensionSet<N> for M {
+    fn declared(&self) -> &[Parameter] {
+        Self::PARAMETERS
+    }
+
+    fn numbers(&self) -> [f64; N] {
+        self.values()
+    }
+
+    fn with_numbers(&self, numbers: &[f64; N]) -> Self {
+        Self::from_values(numbers)
+    }
+}

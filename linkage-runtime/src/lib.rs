@@ -45,7 +45,7 @@ pub use circuits::{Branch, BranchEnd, Circuits, Estimate, Meeting};
 #[cfg(feature = "alloc")]
 pub use columns::Columns;
 pub use data::{AssemblyMode, Input, Operations, Parameter};
-pub use dimensions::Dimensions;
+pub use dimensions::{DimensionSet, Dimensions};
 pub use error::{AssemblyError, GroupRef, Halt, NotFollowed};
 #[cfg(feature = "alloc")]
 pub use error::{ClosestApproach, CoupledCause, CoupledError, Missed, Placed, Value};

@@ -4,9 +4,9 @@
     python cluster.py --count 1e6 --designs 1e5    # in small
     python cluster.py --scheduler tcp://head:8786  # on a cluster whose workers have the package
 
-Mechanism number `k` has the random numbers of counter `k`, whoever computes it. Figures of blocks of
-a fixed size are added in the order of the blocks. So the results are equal to the last bit for
-every number of workers and partitions, and after a worker was lost.
+Mechanism and design number `k` have the random numbers of counter `k`, whoever computes them. Parts
+of a study are united exactly, in any order. So the results are equal to the last bit for every
+number of workers and partitions, and after a worker was lost. Rust draws the same mechanisms.
 """
 
 import argparse
@@ -31,7 +31,7 @@ pub struct FourBar {
 impl FourBar { pub fn path(phi) -> Path { tracer } }
 """
 
-#: Mechanisms of a block, the smallest part of the work. It determines how sums are rounded.
+#: Designs of a block, the smallest part of the search.
 BLOCK = 100_000
 
 #: The position of the crank.
@@ -48,22 +48,10 @@ def uniform(seed: int, first: int, count: int, columns: int) -> np.ndarray:
     return generator.random((count, 4 * counters))[:, :columns]
 
 
-def tolerance_blocks(m, seed: int, first: int, last: int) -> list[tuple]:
-    """Sums of blocks: the count, the sums of both coordinates' deviations and of their squares."""
+def study_part(m, seed: int, count: int, part: int, of: int):
+    """The coordinates of a part of the mechanisms within their tolerances."""
     linkage.set_threads(1)
-    parameters = m.mechanism.parameters.values()
-    nominal = np.array([one.nominal for one in parameters])
-    tolerance = np.array([one.tolerance for one in parameters])
-    middle = m.path(PHI).tracer
-    found = []
-    for start in range(first, last, BLOCK):
-        count = min(BLOCK, last - start)
-        drawn = uniform(seed, start, count, len(nominal))
-        sets = nominal + tolerance * (2 * drawn - 1)
-        names = m.mechanism.parameters
-        off = m.path(PHI, **dict(zip(names, sets.T))).tracer - middle
-        found.append((start, count, off.sum(axis=0), (off * off).sum(axis=0), np.abs(off).max(axis=0)))
-    return found
+    return m.monte_carlo("path", PHI, count=count, seed=seed, distribution="uniform", part=(part, of))
 
 
 def design_blocks(m, seed: int, first: int, last: int, wanted: np.ndarray) -> list[tuple]:
@@ -83,34 +71,37 @@ def design_blocks(m, seed: int, first: int, last: int, wanted: np.ndarray) -> li
     return found
 
 
-def run(client, work, m, seed: int, count: int, partitions: int, *rest, show: bool = False) -> list:
-    """The figures of all blocks in their order, from tasks of whole blocks."""
-    blocks = -(-count // BLOCK)
-    ends = [min(count, BLOCK * (blocks * k // partitions)) for k in range(partitions + 1)]
-    ends[-1] = count
-    tasks = [
-        client.submit(work, m, seed, first, last, *rest, pure=False, retries=5)
-        for first, last in zip(ends, ends[1:])
-        if last > first
-    ]
+def gathered(client, tasks: list, show: bool) -> list:
+    """The results of all tasks in their order; shows how many are done."""
     for done, _ in enumerate(as_completed(tasks), 1):
         if show:
             print(f"\r{done} of {len(tasks)} parts", end="", flush=True)
     if show:
         print()
-    return sorted(block for part in client.gather(tasks) for block in part)
+    return client.gather(tasks)
 
 
-def deviations(blocks: list) -> dict:
-    """Mean, standard deviation and extremes of both coordinates, in mm."""
-    count = sum(block[1] for block in blocks)
-    total, squares = np.zeros(2), np.zeros(2)
-    worst = np.zeros(2)
-    for _, _, sums, block_squares, largest in blocks:
-        total, squares = total + sums, squares + block_squares
-        worst = np.maximum(worst, largest)
-    mean = total / count
-    return {"count": count, "mean": mean, "deviation": np.sqrt(squares / count - mean**2), "worst": worst}
+def tolerances(client, m, seed: int, count: int, partitions: int, show: bool = False):
+    """The study of all mechanisms, from tasks of its parts."""
+    tasks = [
+        client.submit(study_part, m, seed, count, part, partitions, pure=False, retries=5)
+        for part in range(partitions)
+    ]
+    first, *others = gathered(client, tasks, show)
+    return first.merge(*others)
+
+
+def designs(client, m, seed: int, count: int, partitions: int, wanted, show: bool = False) -> list:
+    """The best design of each block, from tasks of whole blocks."""
+    blocks = -(-count // BLOCK)
+    ends = [min(count, BLOCK * (blocks * k // partitions)) for k in range(partitions + 1)]
+    ends[-1] = count
+    tasks = [
+        client.submit(design_blocks, m, seed, first, last, wanted, pure=False, retries=5)
+        for first, last in zip(ends, ends[1:])
+        if last > first
+    ]
+    return sorted(block for part in gathered(client, tasks, show) for block in part)
 
 
 def main(arguments=None):
@@ -131,9 +122,8 @@ def main(arguments=None):
     with Client(cluster) as client:
         workers = len(client.scheduler_info()["workers"])
         partitions = given.partitions or 16 * workers
-        found = run(client, tolerance_blocks, m, given.seed, int(given.count), partitions, show=True)
-        print(deviations(found))
-        best = run(client, design_blocks, m, given.seed, int(given.designs), partitions, wanted, show=True)
+        print(tolerances(client, m, given.seed, int(given.count), partitions, show=True))
+        best = designs(client, m, given.seed, int(given.designs), partitions, wanted, show=True)
         _, cost, number, dimensions = min(best, key=lambda block: (block[1], block[2]))
         print(f"design {number}: {dimensions}, sum of squares {cost:.6g} mm^2")
     if not given.scheduler:

@@ -21,9 +21,18 @@ Lengths are in the unit of the mechanism, angles in radians.
 """
 
 from ._assembly import Assembly, BoundFunction
-from ._errors import AnalysisError, AssemblyError, CompileError, LinkageError, Message
+from ._design import Design, Designs, Relation, Target, at_least, at_most, crank_turns, exactly
+from ._errors import (
+    AnalysisError,
+    AssemblyError,
+    CompileError,
+    DesignError,
+    LinkageError,
+    Message,
+)
 from ._mechanism import Mechanism
 from ._results import Entries, Result
+from ._study import Study
 from ._text import load, load_all, parse, parse_all
 from ._threads import set_threads, threads
 
@@ -35,11 +44,21 @@ __all__ = [
     "AssemblyError",
     "BoundFunction",
     "CompileError",
+    "Design",
+    "DesignError",
+    "Designs",
     "Entries",
     "LinkageError",
     "Mechanism",
     "Message",
+    "Relation",
     "Result",
+    "Study",
+    "Target",
+    "at_least",
+    "at_most",
+    "crank_turns",
+    "exactly",
     "load",
     "load_all",
     "parse",

@@ -11,11 +11,14 @@ from ._results import Result
 from ._threads import threads
 
 if TYPE_CHECKING:
+    from collections.abc import Callable, Mapping, Sequence
+
     import numpy as np
 
     from ._analysis import Summary, Tolerance
     from ._follower import Follower
     from ._mechanism import Mechanism
+    from ._study import Study
 
 
 class Assembly:
@@ -127,6 +130,55 @@ class Assembly:
         from ._analysis import tolerance
 
         return tolerance(self, self[function], arguments, named)
+
+    def monte_carlo(
+        self,
+        function: str,
+        *arguments: float,
+        quantities: str | Sequence[str] | None = None,
+        count: int = 100_000,
+        seed: int = 0,
+        distribution: str = "normal",
+        distributions: Mapping[str, str] | None = None,
+        part: tuple[int, int] = (0, 1),
+        progress: Callable[[int, int], object] | None = None,
+        **named: float,
+    ) -> Study:
+        """Draws mechanisms within their tolerances, and evaluates a function of each.
+
+        Mechanism number `k` depends on the seed and `k` alone. Results are those of `MonteCarlo` of
+        Rust, to the last bit, for every number of threads and parts.
+
+        Parameters
+        ----------
+        arguments
+            The position: arguments of the function in order or by name.
+        quantities
+            Fields or columns that are counted, at most 4 columns: by default all values of the
+            function, without derivatives.
+        count, seed
+            The number of mechanisms; another seed gives other ones.
+        distribution
+            `normal` with a standard deviation of a third of the tolerance, `uniform`, `triangular`,
+            `arcsine` or `truncated normal`.
+        distributions
+            Distributions of single dimensions, by name.
+        part
+            Number of the part, from 0, and number of parts: `Study.merge` unites them.
+        progress
+            A function that is called with the mechanisms that are done, and all of them.
+
+        Raises
+        ------
+        AnalysisError
+            For tolerances below zero, a part that does not exist, and no or too many quantities.
+        """
+        from ._study import study
+
+        return study(
+            self[function], arguments, named, quantities, count, seed, distribution,
+            distributions or {}, part, progress,
+        )  # fmt: skip
 
     def summary(
         self,
@@ -352,18 +404,16 @@ def evaluate(
             f"`out` is a result of `{reused.function.name}` at {reused.shape}: a result of "
             f"`{function.name}` at {shape} is needed"
         )
-    if not dimensions and bound.assembly.mechanism._code is not None:
-        from ._compiled import code_assembly
-
-        machine = code_assembly(bound.assembly)
-        if machine is not None:
-            machine.sweep(function.index, flat, result._numbers, threads())
-            return result
+    flat, others = flat[: len(given)], flat[len(given) :]
     sets = None
     if dimensions:
-        base = [np.array([number]) for number in native.dimensions]
-        for index, one in zip(dimensions, flat[len(given) :]):
-            base[index] = one
-        sets = base
-    native.sweep(function.index, sets, flat[: len(given)], result._numbers, threads())
+        sets = [np.array([number]) for number in native.dimensions]
+        for index, one in zip(dimensions, others):
+            sets[index] = one
+    if bound.assembly.mechanism._code is not None:
+        from ._compiled import code_sweep
+
+        if code_sweep(bound, sets, flat, result._numbers):
+            return result
+    native.sweep(function.index, sets, flat, result._numbers, threads())
     return result

@@ -74,3 +74,16 @@ def circuits(mechanism: Mechanism, numbers: list[float]) -> Circuits:
     result = Circuits(made)
     result.text = text
     return result
+
+
+def whole(mechanism: Mechanism, numbers: list[float], unknowns: list) -> Assembly:
+    """Returns the assembly over the whole range that has these unknowns at the reference."""
+    at = [one.reference for one in mechanism.inputs.values()]
+
+    def distance(branch: Branch) -> float:
+        pairs = zip(branch.assembly._native.unknowns(at), unknowns)
+        return sum(abs(a - b) for (_, one), (_, other) in pairs for a, b in zip(one, other))
+
+    branches = [branch for branch in circuits(mechanism, numbers) if branch.is_whole]
+    native = min(branches, key=distance).assembly._native
+    return Assembly(mechanism, native, ("_whole", numbers, unknowns))

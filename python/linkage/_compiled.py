@@ -15,11 +15,12 @@ from typing import TYPE_CHECKING, NamedTuple
 
 from ._errors import AssemblyError, LinkageError
 from ._files import write_all
+from ._threads import threads
 
 if TYPE_CHECKING:
     import numpy as np
 
-    from ._assembly import Assembly
+    from ._assembly import Assembly, BoundFunction
     from ._mechanism import Mechanism
 
 #: Options of C compilers: no fused arithmetic, so that numbers are those of the interpreter, and
@@ -43,6 +44,7 @@ class Code(NamedTuple):
     library: ctypes.CDLL
     functions: tuple[str, str, str]
     sweeps: tuple[str | None, ...]
+    sets: tuple[str | None, ...]
     compiler: str | None
     cache: str | None
 
@@ -54,8 +56,8 @@ def compiled(
 
     It is the mechanism of `fused=False`, and has the numbers of it: to the last bit if all groups
     have a closed form, else to the last digits, because tables of coupled groups are exported with
-    the arithmetic of the build. Sweeps over dimensions, single positions, and assemblies other than
-    that of the estimates stay with the interpreter.
+    the arithmetic of the build. Single positions, sweeps of coupled groups over dimensions, and
+    assemblies other than that of the estimates stay with the interpreter.
 
     Parameters
     ----------
@@ -79,7 +81,7 @@ def compiled(
     if mechanism._tolerances is not None:
         base = base._with_tolerances(mechanism._tolerances)
     try:
-        files, main, functions, sweeps = base._native.column_sweeps()
+        files, main, functions, sweeps, sets = base._native.column_sweeps()
     except ValueError as error:
         raise LinkageError(str(error)) from None
     chosen = _compiler(compiler)
@@ -89,7 +91,7 @@ def compiled(
         if path not in _loaded:
             _loaded[path] = ctypes.CDLL(str(path))
     cache = None if cache is None else os.fspath(cache)
-    code = Code(_loaded[path], tuple(functions), tuple(sweeps), compiler, cache)
+    code = Code(_loaded[path], tuple(functions), tuple(sweeps), tuple(sets), compiler, cache)
     return Mechanism(base._native, origin, base._tolerances, code)
 
 
@@ -155,11 +157,14 @@ def _built(files: dict[str, str], main: str, compiler: str, folder: Path) -> Pat
 class CodeAssembly:
     """An assembly in the memory of the machine code."""
 
-    def __init__(self, code: Code, dimensions: list[float]):
+    def __init__(self, code: Code, dimensions: list[float], turns: list[float]):
+        import numpy as np
+
         assemble, size, error = (getattr(code.library, name) for name in code.functions)
         size.restype = ctypes.c_size_t
         error.restype = ctypes.c_char_p
         self.code = code
+        self.turns = np.array(turns)
         self.memory = ctypes.create_string_buffer(max(size(), 1))
         numbers = (ctypes.c_double * max(len(dimensions), 1))(*dimensions)
         number = assemble(self.memory, numbers)
@@ -168,7 +173,28 @@ class CodeAssembly:
 
     def sweep(self, index: int, arguments: list[np.ndarray], out: np.ndarray, threads: int) -> None:
         """Fills the rows of an array, one for each column, by some threads."""
-        function = getattr(self.code.library, self.code.sweeps[index])
+        self._fill(self.code.sweeps[index], self.memory, arguments, out, threads)
+
+    def sweep_sets(
+        self,
+        index: int,
+        dimensions: list[np.ndarray],
+        arguments: list[np.ndarray],
+        out: np.ndarray,
+        threads: int,
+    ) -> bool:
+        """Fills the same for many mechanisms; false if the function has no such code."""
+        name = self.code.sets[index]
+        if name is None:
+            return False
+        turns = ctypes.c_void_p(self.turns.ctypes.data)
+        self._fill(name, turns, [*arguments, *dimensions], out, threads)
+        return True
+
+    def _fill(
+        self, name: str, shared, arguments: list[np.ndarray], out: np.ndarray, threads: int
+    ) -> None:
+        function = getattr(self.code.library, name)
         function.restype = None
         count = out.shape[1]
         pointers = ctypes.c_void_p * max(len(arguments), 1)
@@ -181,7 +207,7 @@ class CodeAssembly:
             rows = min(PART, count - start)
             given = pointers(*(base + step * start for base, step in bases))
             wanted = columns(*(first + stride * k + 8 * start for k in range(len(out))))
-            function(self.memory, ctypes.c_size_t(rows), given, steps, wanted)
+            function(shared, ctypes.c_size_t(rows), given, steps, wanted)
 
         _in_parts(part, range(0, count, PART), threads)
 
@@ -219,11 +245,28 @@ def _in_parts(part, starts: range, threads: int) -> None:
                 worker.join()
 
 
-def code_assembly(assembly: Assembly) -> CodeAssembly | None:
+def code_sweep(
+    bound: BoundFunction,
+    dimensions: list[np.ndarray] | None,
+    arguments: list[np.ndarray],
+    out: np.ndarray,
+) -> bool:
+    """Fills a sweep by machine code; false for what stays with the interpreter."""
+    machine = _code_assembly(bound.assembly)
+    if machine is None:
+        return False
+    index = bound.function.index
+    if dimensions is None:
+        machine.sweep(index, arguments, out, threads())
+        return True
+    return machine.sweep_sets(index, dimensions, arguments, out, threads())
+
+
+def _code_assembly(assembly: Assembly) -> CodeAssembly | None:
     """The assembly in machine code, if it is the one that the estimates choose."""
     code = assembly.mechanism._code
     if code is None or assembly._recipe[0] != "_assemble":
         return None
     if assembly._machine is None:
-        assembly._machine = CodeAssembly(code, assembly._native.dimensions)
+        assembly._machine = CodeAssembly(code, assembly._native.dimensions, assembly._native.turns)
     return assembly._machine

@@ -56,5 +56,9 @@ class AssemblyError(LinkageError):
     """Dimensions with which the loops do not close, or inputs at which there is no assembly."""
 
 
+class DesignError(LinkageError):
+    """A design problem with mistakes, all of them at once, or one without a design."""
+
+
 class AnalysisError(LinkageError):
     """Figures that do not exist: of an empty range, or of tolerances below zero."""

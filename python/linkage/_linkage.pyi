@@ -1,5 +1,7 @@
 """The native part of the package: checked arguments only, without names and defaults."""
 
+from collections.abc import Callable
+
 import numpy as np
 from numpy.typing import NDArray
 
@@ -14,7 +16,61 @@ _Branch = tuple[
 ]
 _Extreme = tuple[float, float, str, bool]
 
+_Estimate = tuple[float, float, float]
+_Function = tuple[int, list[float], list[int]]
+_Draw = tuple[int, int, str, list[tuple[int, str]], int, int]
+_DesignOf = tuple[
+    list[float],
+    float,
+    list[list[float]],
+    list[list[float]],
+    tuple[float, float],
+    list[tuple[str, float, float]],
+    bool,
+    int,
+    int,
+    list[str],
+    str,
+]
+
 def compile(name: str, text: str, any_range: bool, fused: bool | None) -> list[Mechanism]: ...
+
+def design(
+    mechanism: Mechanism,
+    dimensions: list[float],
+    variables: list[tuple[str, str, list[float]]],
+    relations: list[tuple[list[tuple[str, float]], float, bool]],
+    targets: list[
+        tuple[int, list[str], list[list[float]], list[float] | None, str, list[float]]
+    ],
+    settings: tuple[int | None, int | None, int, int | None, float | None],
+    threads: int,
+    shown: Callable[[int, int, float], object] | None,
+) -> tuple[str, tuple[list[int], bool], list[_DesignOf], list[Assembly]]: ...
+def random_study(
+    assembly: Assembly,
+    function: _Function,
+    draw: _Draw,
+    threads: int,
+    shown: Callable[[int, int, float], object] | None,
+) -> Study: ...
+def read_study(assembly: Assembly, function: _Function, draw: _Draw, bytes: bytes) -> Study: ...
+
+class Study:
+    done: int
+    missing: int
+
+    def to_bytes(self) -> bytes: ...
+    def merged(self, others: list[bytes]) -> Study: ...
+    def statistics(
+        self, number: int
+    ) -> tuple[int, _Estimate, _Estimate, float, float, float]: ...
+    def percentile(self, number: int, part: float, confidence: float) -> _Estimate: ...
+    def part_within(
+        self, number: int, low: float, high: float, confidence: float
+    ) -> _Estimate: ...
+    def histogram(self, number: int, low: float, high: float, bins: int) -> list[float]: ...
+    def extremes(self, number: int) -> list[tuple[float, int, list[float]]] | None: ...
 
 class Mechanism:
     name: str
@@ -50,12 +106,15 @@ class Mechanism:
     def to_c(self, scalar: str) -> tuple[str, str, str]: ...
     def column_sweeps(
         self,
-    ) -> tuple[list[tuple[str, str]], str, tuple[str, str, str], list[str | None]]: ...
+    ) -> tuple[
+        list[tuple[str, str]], str, tuple[str, str, str], list[str | None], list[str | None]
+    ]: ...
     def page(self, dimensions: list[float], positions: int) -> str: ...
 
 class Assembly:
     dimensions: list[float]
     modes: list[int]
+    turns: list[float]
     served: float
 
     def follower(self, inputs: list[float]) -> Follower: ...

@@ -13,11 +13,13 @@ from ._errors import LinkageError, Message, messages
 
 if TYPE_CHECKING:
     import os
+    from collections.abc import Callable, Iterable, Mapping
 
     import numpy as np
 
     from ._circuits import Circuits
     from ._compiled import Code
+    from ._design import Designs, Range, Relation, Target
 
 
 class Origin(NamedTuple):
@@ -207,6 +209,61 @@ class Mechanism:
 
         return circuits(self, numbers)[index].assembly
 
+    def _whole(self, numbers: list[float], unknowns: list) -> Assembly:
+        from ._circuits import whole
+
+        return whole(self, numbers, unknowns)
+
+    def design(
+        self,
+        vary: Mapping[str, Range],
+        want: Target | Iterable[Target],
+        *,
+        hold: Iterable[Relation | Iterable[Relation]] = (),
+        start: Assembly | None = None,
+        starts: int | None = None,
+        steps: int | None = None,
+        seed: int = 0,
+        listed: int | None = None,
+        time_limit: float | None = None,
+        progress: Callable[[int, int, float], object] | None = None,
+    ) -> Designs:
+        """Searches for dimensions with which quantities have wanted values.
+
+        The search descends from many starts by least squares with exact derivatives, in all
+        assemblies. Each design exists over the whole range on one circuit. Results are those of
+        `linkage::design` of Rust with equal seed, for every number of threads.
+
+        Parameters
+        ----------
+        vary
+            The dimensions that may change, by name: bounds as a tuple, `(5, 60)`, a part of the
+            size as a number, `0.1`, or a catalogue of values as a list. A vector has the same range
+            for each component.
+        want : Target or several
+            The wanted values.
+        hold
+            Relations of `at_most`, `at_least`, `exactly` and `crank_turns`.
+        start : Assembly
+            Dimensions that do not change, and the sizes of parts; by default nominal.
+        starts, steps, listed
+            The number of starts (1024), the most evaluations of a descent (300), and the most
+            designs in the list (100).
+        time_limit
+            Seconds after which no starts are begun.
+        progress
+            A function that is called with the starts that are done, all of them, and the least sum.
+
+        Raises
+        ------
+        DesignError
+            For mistakes in the problem, all at once, and if there is no design.
+        """
+        from ._design import search
+
+        settings = (starts, steps, seed, listed, time_limit)
+        return search(self, vary, want, hold, start, settings, progress)
+
     def with_tolerances(self, **tolerances: Any) -> Mechanism:
         """Returns the same mechanism with other tolerances, in the units of `parameters`."""
         given = self.dimensions.given(tolerances)
@@ -232,8 +289,8 @@ class Mechanism:
         """Returns the mechanism with sweeps as machine code of the system's C compiler.
 
         They take a fraction of the time of the interpreter, and have the numbers of `fused=False`:
-        to the last bit if all groups have a closed form, else to the last digits. Sweeps over
-        dimensions stay with the interpreter.
+        to the last bit if all groups have a closed form, else to the last digits. Sweeps of coupled
+        groups over dimensions stay with the interpreter.
 
         Parameters
         ----------

@@ -118,6 +118,10 @@ fn figures<const N: usize>(
         let Interval { from, to, range } = dwell.interval;
         (from, to, range, dwell.lowest, dwell.highest)
     });
+    let mut text = curve.describe(unit, input).to_string();
+    if let Some(band) = band {
+        text += &curve.describe_dwells(band, unit, input).to_string();
+    }
     // The last derivative has no extremes: its own derivative is not known.
     let extremes = (0..N).map_while(|order| curve.extremes_of(order));
     Ok((
@@ -130,7 +134,7 @@ fn figures<const N: usize>(
             .iter()
             .map(|part| (part.from, part.to))
             .collect(),
-        curve.describe(unit, input).to_string(),
+        text,
     ))
 }
 

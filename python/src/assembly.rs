@@ -71,6 +71,12 @@ impl Assembly {
         modes.map(|mode| mode.sign() as i32).collect()
     }
 
+    /// Centre and windings of each continuous angle.
+    #[getter]
+    fn turns(&self) -> Vec<f64> {
+        self.get().turns()
+    }
+
     #[getter]
     fn served(&self) -> f64 {
         self.get().served()

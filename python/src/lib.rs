@@ -9,10 +9,13 @@ mod assembly;
 mod circuits;
 mod derivatives;
 mod description;
+mod design;
 mod follower;
 mod mechanism;
 mod page;
 mod raised;
+mod random;
+mod searches;
 mod sweep;
 mod text;
 
@@ -22,9 +25,13 @@ mod _linkage {
     #[pymodule_export]
     use crate::assembly::Assembly;
     #[pymodule_export]
+    use crate::design::design;
+    #[pymodule_export]
     use crate::follower::Follower;
     #[pymodule_export]
     use crate::mechanism::Mechanism;
+    #[pymodule_export]
+    use crate::random::{Study, random_study, read_study};
     #[pymodule_export]
     use crate::text::compile;
 }

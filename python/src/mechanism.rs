@@ -14,11 +14,13 @@ use crate::page::page;
 use crate::raised::not_assembled;
 use crate::text::{File, Fused, Located, rounded};
 
-/// Files with their texts, the one to compile, names of functions, and names of sweeps.
+/// Files with their texts, the one to compile, names of functions, and names of sweeps over
+/// positions and over mechanisms.
 type CompiledC = (
     Vec<(String, String)>,
     String,
     [String; 3],
+    Vec<Option<String>>,
     Vec<Option<String>>,
 );
 
@@ -48,6 +50,11 @@ impl Mechanism {
             warnings,
             fused,
         }
+    }
+
+    /// The mechanism of the engine.
+    pub(crate) fn compiled(&self) -> &Arc<linkage_engine::Mechanism> {
+        &self.compiled
     }
 }
 
@@ -237,6 +244,7 @@ impl Mechanism {
             assembly_size,
             error,
             sweeps,
+            sets,
         } = printed.map_err(|refused| PyValueError::new_err(refused.to_string()))?;
         let main = format!("{}_columns.c", sources.name);
         let files = vec![
@@ -244,7 +252,8 @@ impl Mechanism {
             (format!("{}.c", sources.name), sources.source),
             (main.clone(), columns),
         ];
-        Ok((files, main, [assemble, assembly_size, error], sweeps))
+        let functions = [assemble, assembly_size, error];
+        Ok((files, main, functions, sweeps, sets))
     }
 
     /// The mechanism with one more function, the last one: the fields of a function, and after them

@@ -15,10 +15,10 @@ use pyo3::prelude::*;
 const PART: usize = 4096;
 
 /// The time between two looks for signals.
-const SIGNALS: Duration = Duration::from_millis(50);
+pub(crate) const SIGNALS: Duration = Duration::from_millis(50);
 
 /// Bytes of a thread's stack: sweeps over sets keep blocks of all their numbers there.
-const STACK: usize = 1 << 23;
+pub(crate) const STACK: usize = 1 << 23;
 
 /// A part of a sweep: its first position, and its rows of each column.
 type Part<'a> = (usize, Vec<&'a mut [f64]>);

@@ -41,7 +41,7 @@ pub struct Rocking {
     unknown psi = 60deg;
     loop polar(crank, phi) + polar(30mm, theta) = (100mm, 0) + polar(90mm, psi);
 }
-impl Rocking { pub fn motion(phi) -> Motion { psi, margin: margin() } }
+impl Rocking { pub fn motion(phi) -> Motion { psi, v: velocity(psi), margin: margin() } }
 """
 
 

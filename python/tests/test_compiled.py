@@ -77,6 +77,38 @@ def test_dimensions_and_other_assemblies_stay_right(cache, bar):
     assert m.motion(np.empty(0)).psi.shape == (0,)
 
 
+@pytest.mark.parametrize("name", FILES)
+def test_sweeps_over_dimensions_have_the_bits_of_the_interpreter(cache, name):
+    path = ROOT / "mechanisms" / f"{name}.rs"
+    interpreted = linkage.load(path, fused=False)
+    compiled = linkage.load(path).compile(cache=cache)
+    random = np.random.default_rng(4)
+    count = 40_001
+    m, i = compiled.assemble(), interpreted.assemble()
+    dimensions = {}
+    for k, one in enumerate(compiled.parameters.values()):
+        if k % 3 < 2:
+            off = 0.05 * abs(one.nominal) + (0.01 if one.nominal == 0 else 0.0)
+            alias = one.name.replace(".", "_")
+            dimensions[alias] = one.nominal + off * random.uniform(-1, 1, count)
+    for function in compiled.functions.values():
+        arguments = []
+        for argument in function.arguments:
+            driven = compiled.inputs.get(argument.name)
+            low, high = (driven.low, driven.high) if driven else (-20.0, 20.0)
+            arguments.append(random.uniform(low, high, count))
+        index = function.index
+        assert (m.mechanism._code.sets[index] is None) == (name in COUPLED), function.name
+        linkage.set_threads(3)
+        found, expected = m[function.name](*arguments, **dimensions), i[function.name](*arguments, **dimensions)
+        assert same(found, expected), function.name
+        assert np.isfinite(expected._numbers).any()
+        arguments = [0.5 * (one.low + one.high) for one in compiled.inputs.values()][: len(arguments)]
+        if len(arguments) == len(function.arguments):
+            found, expected = m[function.name](*arguments, **dimensions), i[function.name](*arguments, **dimensions)
+            assert same(found, expected), function.name
+
+
 def test_equal_mechanisms_are_compiled_once(cache, bar, monkeypatch):
     bar.compile(cache=cache)
     built = []

@@ -202,6 +202,19 @@ def test_the_summary_has_exact_limits(m):
     assert found.velocity is not None and found.acceleration is None
     assert found.dwells and found.dwells[0].length > 0
     assert "stroke" in str(found)
+    assert str(found).count("\ndwell ") == len(found.dwells) == 2
+
+
+def test_the_summary_ends_at_dead_points(rocking):
+    m = rocking.assemble()
+    found = m.summary("motion", "psi", band=0.05)
+    assert len(found.parts) == 2
+    for start, end in found.parts:
+        inside = np.linspace(start + 1e-6, end - 1e-6, 50)
+        assert np.isfinite(m.motion(inside).psi).all()
+    # The first part ends where crank and rod, then the frame's triangle, are in line.
+    assert np.isnan(m.motion(found.parts[0][1] + 1e-6).psi)
+    assert str(found).count("only from") == 2 and found.position.stroke > 0.0
 
 
 def test_results_become_tables(m):

@@ -1,6 +1,7 @@
 //! Searches of dimensions: wishes with their derivatives, what must hold, messages.
 
 mod derivatives;
+mod engine;
 mod evenly;
 mod interruptions;
 mod judge;

@@ -1,6 +1,7 @@
 //! Accuracy of generated mechanisms: tolerances, budgets, correlations, second order.
 
 mod closed;
+mod engine;
 mod guide;
 mod mechanism;
 mod messages;

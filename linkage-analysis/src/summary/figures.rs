@@ -8,7 +8,7 @@ use super::curve::Curve;
 use super::dwell::{Dwell, dwells, longest_dwell};
 use super::events::{CurveEvent, events};
 use super::interval::Interval;
-use super::print::describe;
+use super::print::{describe, describe_dwells};
 use super::ratio::{TimeRatio, time_ratio};
 use super::transmission::{Transmission, transmission_angle};
 use alloc::vec::Vec;
@@ -139,5 +139,29 @@ impl<const N: usize, F: Fn(f64) -> [f64; N]> Curve<N, F> {
     /// ```
     pub fn describe<'a>(&'a self, unit: &'a str, input: &'a str) -> impl fmt::Display + 'a {
         describe(self, unit, input)
+    }
+
+    /// The [`dwells`](Self::dwells) in lines, one for each, with the units of
+    /// [`describe`](Self::describe).
+    ///
+    /// ```
+    /// use linkage_analysis::summary::Curve;
+    ///
+    /// let yoke = |phi: f64| [40.0 * phi.sin(), 40.0 * phi.cos(), -40.0 * phi.sin()];
+    /// let curve = Curve::new((0.0, std::f64::consts::TAU), 360, yoke)?;
+    /// assert_eq!(
+    ///     curve.describe_dwells(20.0, "mm", "rad").to_string(),
+    ///     "dwell           60 deg from 60 deg to 120 deg, 20 mm to 40 mm\n\
+    ///      dwell           60 deg from 240 deg to 300 deg, -40 mm to -20 mm\n"
+    /// );
+    /// # Ok::<(), linkage_analysis::summary::SummaryError>(())
+    /// ```
+    pub fn describe_dwells<'a>(
+        &'a self,
+        band: f64,
+        unit: &'a str,
+        input: &'a str,
+    ) -> impl fmt::Display + 'a {
+        describe_dwells(self, band, unit, input)
     }
 }

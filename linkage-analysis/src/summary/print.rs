@@ -33,6 +33,33 @@ pub(super) fn describe<'a, const N: usize, F: Fn(f64) -> [f64; N]>(
     printed(move |f| print(curve, f, PrintUnit(unit), PrintUnit(input)))
 }
 
+/// The lines of [`Curve::describe_dwells`].
+pub(super) fn describe_dwells<'a, const N: usize, F: Fn(f64) -> [f64; N]>(
+    curve: &'a Curve<N, F>,
+    band: f64,
+    unit: &'a str,
+    input: &'a str,
+) -> impl fmt::Display + 'a {
+    let (unit, input) = (PrintUnit(unit), PrintUnit(input));
+    printed(move |f| {
+        let (first, last) = curve.range();
+        let at = |x: f64| input.print(settled(x, ROUNDOFF, last - first));
+        for dwell in curve.dwells(band) {
+            let Interval {
+                from, to, range, ..
+            } = dwell.interval;
+            let (from, to, range) = (at(from), at(to), input.print(range));
+            let (low, high) = (unit.print(dwell.lowest), unit.print(dwell.highest));
+            writeln!(
+                f,
+                "{:14}  {range} from {from} to {to}, {low} to {high}",
+                "dwell"
+            )?;
+        }
+        Ok(())
+    })
+}
+
 fn print<const N: usize, F: Fn(f64) -> [f64; N]>(
     curve: &Curve<N, F>,
     f: &mut fmt::Formatter<'_>,

@@ -2,6 +2,7 @@
 
 mod agreement;
 mod block;
+mod block_evaluator;
 mod deviates;
 mod draw;
 mod origin;
@@ -27,6 +28,7 @@ pub use stream::{ExtremeSample, Stream};
 pub use study::Study;
 
 use block::{BLOCK, mechanisms_in};
+use block_evaluator::{ByColumns, ByMechanisms};
 use draw::Draw;
 use origin::{Measured, Source};
 use rounds::rounds;
@@ -166,8 +168,8 @@ impl<'a> MonteCarlo<'a> {
     where
         M: Dimensions<N>,
     {
-        let draw = self.independent(nominal, tolerances)?;
-        self.sample(&draw, &evaluate)
+        let draw = self.independent(nominal.values(), tolerances)?;
+        self.sample(&draw, evaluate)
     }
 
     /// Works as [`run`](Self::run), with the distributions and correlations of `uncertainties`
@@ -187,7 +189,7 @@ impl<'a> MonteCarlo<'a> {
         M: Dimensions<N>,
     {
         let draw = self.correlated(nominal, uncertainties)?;
-        self.sample(&draw, &evaluate)
+        self.sample(&draw, evaluate)
     }
 
     /// Draws and evaluates the mechanisms as [`run`](Self::run) does, and keeps no value: sums,
@@ -236,7 +238,7 @@ impl<'a> MonteCarlo<'a> {
         evaluate: impl Fn(&[M], [&mut [f64]; K]) + Sync + 'a,
     ) -> Result<Stream<N, K>, ToleranceError>
     where
-        M: Dimensions<N>,
+        M: Dimensions<N> + 'a,
     {
         Ok(self.start(nominal, tolerances, evaluate)?.finish())
     }
@@ -254,9 +256,9 @@ impl<'a> MonteCarlo<'a> {
         evaluate: impl Fn(&[M], [&mut [f64]; K]) + Sync + 'a,
     ) -> Result<Study<'a, N, K>, ToleranceError>
     where
-        M: Dimensions<N>,
+        M: Dimensions<N> + 'a,
     {
-        let draw = self.independent(nominal, tolerances)?;
+        let draw = self.independent(nominal.values(), tolerances)?;
         self.begin(draw, evaluate)
     }
 
@@ -273,10 +275,29 @@ impl<'a> MonteCarlo<'a> {
         evaluate: impl Fn(&[M], [&mut [f64]; K]) + Sync + 'a,
     ) -> Result<Study<'a, N, K>, ToleranceError>
     where
-        M: Dimensions<N>,
+        M: Dimensions<N> + 'a,
     {
         let draw = self.correlated(nominal, uncertainties)?;
         self.begin(draw, evaluate)
+    }
+
+    /// Works as [`start`](Self::start) for mechanisms without a type, as those that are compiled at
+    /// run time: `evaluate` gets a slice for each dimension, with a number for each mechanism.
+    ///
+    /// # Errors
+    ///
+    /// As [`run`](Self::run).
+    pub fn start_columns<const N: usize, const K: usize>(
+        self,
+        nominal: &[f64; N],
+        tolerances: &Tolerances<N>,
+        evaluate: impl Fn([&[f64]; N], [&mut [f64]; K]) + Sync + 'a,
+    ) -> Result<Study<'a, N, K>, ToleranceError> {
+        let draw = self.independent(*nominal, tolerances)?;
+        let blocks = self.blocks()?;
+        let (count, progress) = (self.count as u64, self.progress);
+        let evaluator = ByColumns(evaluate);
+        Ok(Study::new(count, draw, blocks, progress, evaluator))
     }
 
     fn begin<M, const N: usize, const K: usize>(
@@ -285,26 +306,28 @@ impl<'a> MonteCarlo<'a> {
         evaluate: impl Fn(&[M], [&mut [f64]; K]) + Sync + 'a,
     ) -> Result<Study<'a, N, K>, ToleranceError>
     where
-        M: Dimensions<N>,
+        M: Dimensions<N> + 'a,
     {
         let blocks = self.blocks()?;
         let (count, progress) = (self.count as u64, self.progress);
-        Ok(Study::new(count, draw, blocks, progress, evaluate))
+        let evaluator = ByMechanisms::new(evaluate);
+        Ok(Study::new(count, draw, blocks, progress, evaluator))
     }
 
     /// Evaluates the mechanisms and keeps all values.
     fn sample<M, const N: usize, const K: usize>(
         mut self,
         draw: &Draw<N>,
-        evaluate: &(impl Fn(&[M], [&mut [f64]; K]) + Sync),
+        evaluate: impl Fn(&[M], [&mut [f64]; K]) + Sync,
     ) -> Result<Samples<N, K>, ToleranceError>
     where
         M: Dimensions<N>,
     {
         let count = self.count as u64;
+        let evaluator = ByMechanisms::new(evaluate);
         let work = |blocks: Range<u64>| {
             let mut values: [Vec<f64>; K] = array::from_fn(|_| Vec::new());
-            evaluated(draw, count, blocks, evaluate, |_, columns| {
+            evaluated(draw, count, blocks, &evaluator, |_, columns| {
                 for (values, column) in values.iter_mut().zip(columns) {
                     values.extend_from_slice(column);
                 }
@@ -330,9 +353,9 @@ impl<'a> MonteCarlo<'a> {
     }
 
     /// Dimensions that are drawn independently.
-    fn independent<M: Dimensions<N>, const N: usize>(
+    fn independent<const N: usize>(
         &self,
-        nominal: &M,
+        nominal: [f64; N],
         tolerances: &Tolerances<N>,
     ) -> Result<Draw<N>, ToleranceError> {
         let mut sources = array::from_fn(|_| Source::Distribution(self.distribution));
@@ -345,7 +368,7 @@ impl<'a> MonteCarlo<'a> {
         }
         Ok(Draw {
             seed: self.seed,
-            nominal: nominal.values(),
+            nominal,
             middles: *tolerances.middles(),
             tolerances: tolerances.values(),
             sources,

@@ -79,6 +79,25 @@ impl CompiledMechanism {
             .flat_map(|parameter| &parameter.scalars)
     }
 
+    /// Returns the program that prepares the slots that another program loads, and these slots: for
+    /// sweeps over mechanisms.
+    pub fn preparing(&self, body: &Program) -> (Program, Vec<usize>) {
+        let loaded = body
+            .instructions
+            .iter()
+            .filter_map(|instruction| match instruction {
+                Instruction::Load(Source::Prepared(slot)) => Some(*slot),
+                _ => None,
+            });
+        let mut slots: Vec<usize> = loaded.collect();
+        slots.sort_unstable();
+        slots.dedup();
+        let mut program = self.prepare.clone();
+        let outputs = &self.prepare.outputs;
+        program.outputs = slots.iter().map(|&slot| outputs[slot]).collect();
+        (program.without_unused(), slots)
+    }
+
     /// Returns the way in which a number of a coupled group is shown and measured.
     pub fn shown(&self, placed: &Placed) -> ShownNumber<'_> {
         let unknown = &self.unknowns[placed.unknown];

@@ -6,7 +6,7 @@ use std::vec::Vec;
 use super::super::normal::Normal;
 use super::super::violation::Violation;
 use super::Problem;
-use linkage_runtime::Dimensions;
+use linkage_runtime::DimensionSet;
 
 /// A condition that is violated by less than this part of its size holds: the last step met it to
 /// second order.
@@ -29,7 +29,7 @@ struct ConditionRow {
     size: f64,
 }
 
-impl<M: Dimensions<N> + Copy, A, const N: usize> Problem<'_, M, A, N> {
+impl<M: DimensionSet<N> + Copy, A, const N: usize> Problem<'_, M, A, N> {
     /// Returns true if all conditions hold.
     pub(crate) fn meets(&self, at: &Normal) -> bool {
         self.violations(at).is_empty()

@@ -9,12 +9,12 @@ use std::vec::Vec;
 
 use super::super::quasi_random;
 use super::{Evaluator, Problem};
-use linkage_runtime::Dimensions;
+use linkage_runtime::DimensionSet;
 
 /// Starts at which conditions are looked at.
 const PLACES: usize = 32;
 
-impl<M: Dimensions<N> + Copy, A, const N: usize> Problem<'_, M, A, N> {
+impl<M: DimensionSet<N> + Copy, A, const N: usize> Problem<'_, M, A, N> {
     /// With the size of each row of a condition: the mean of its absolute values in the declared
     /// mechanism and at the first starts, where it has a value.
     pub(crate) fn measured(mut self, assemblies: &[A], seed: u64) -> Self {
@@ -24,7 +24,8 @@ impl<M: Dimensions<N> + Copy, A, const N: usize> Problem<'_, M, A, N> {
 
     /// The variables of the declared mechanism, with free inputs in the middle of their starts.
     pub(crate) fn declared(&self) -> Vec<f64> {
-        let mut x: Vec<f64> = self.varied.iter().map(|&k| self.nominal[k]).collect();
+        let nominal = self.nominal.numbers();
+        let mut x: Vec<f64> = self.varied.iter().map(|&k| nominal[k]).collect();
         for free in self.free.iter().flatten() {
             x.extend(free.start(&vec![0.5; free.count]));
         }

@@ -6,7 +6,7 @@ use linkage_compiler::ir::Function;
 use linkage_runtime::Heading;
 use linkage_symbolic::Binding;
 use linkage_symbolic::blocks::{BLOCK, BlockProgram};
-use linkage_symbolic::program::{Instruction, Program, Source};
+use linkage_symbolic::program::Source;
 
 use super::positions::positions;
 use super::run::run;
@@ -120,7 +120,7 @@ impl Assembly<'_> {
         let compiled = &mechanism.compiled.functions[function];
         let body = compiled.beside.as_ref().unwrap_or(&compiled.called);
         let loads = Loads::new(self, compiled, arguments).with_dimensions(parameters);
-        let (prepare, slots) = prepare(&mechanism.compiled.prepare, &body.program);
+        let (prepare, slots) = mechanism.compiled.preparing(&body.program);
         let preparing = BlockProgram::new(&prepare, |source| loads.varies(source));
         let program = BlockProgram::new(&body.program, |source| {
             matches!(source, Source::Prepared(_)) || loads.varies(source)
@@ -247,21 +247,4 @@ fn block_program(mechanism: &Mechanism, function: usize) -> &BlockProgram {
         let program = &mechanism.compiled.functions[function].called.program;
         BlockProgram::new(program, |source| source.binding() == Binding::Call)
     })
-}
-
-/// The program that prepares the slots that another one loads, and these slots.
-fn prepare(all: &Program, body: &Program) -> (Program, Vec<usize>) {
-    let loaded = body
-        .instructions
-        .iter()
-        .filter_map(|instruction| match instruction {
-            Instruction::Load(Source::Prepared(slot)) => Some(*slot),
-            _ => None,
-        });
-    let mut slots: Vec<usize> = loaded.collect();
-    slots.sort_unstable();
-    slots.dedup();
-    let mut program = all.clone();
-    program.outputs = slots.iter().map(|&slot| all.outputs[slot]).collect();
-    (program.without_unused(), slots)
 }

@@ -47,12 +47,21 @@ impl<const N: usize> Columns<N> {
         mechanisms.clear();
         mechanisms.extend((0..length).map(|row| M::from_values(&self.row(row))));
     }
+
+    /// The dimensions of the first mechanisms of the block.
+    pub(super) fn slices(&self, length: usize) -> [&[f64]; N] {
+        array::from_fn(|i| &self.columns[i][..length])
+    }
 }
 
 impl<const N: usize> Draw<N> {
     /// Draws the mechanisms of a block.
     pub(super) fn block(&self, block: u64, into: &mut Columns<N>) {
         for (i, column) in into.columns.iter_mut().enumerate() {
+            if self.is_exact(i) {
+                column.fill(self.nominal[i] + self.middles[i]);
+                continue;
+            }
             let [nominal, middle, factor] = match (&self.root, &self.sources[i]) {
                 // Deviations for a tolerance of 1 alone: they are mixed first.
                 (Some(_), _) => [0.0, 0.0, 1.0],
@@ -76,6 +85,12 @@ impl<const N: usize> Draw<N> {
                 self.mix(root, &mut into.columns, row);
             }
         }
+    }
+
+    /// True for a dimension that no random number changes.
+    fn is_exact(&self, i: usize) -> bool {
+        let is_drawn = self.root.is_some() || matches!(self.sources[i], Source::Measured(_));
+        !is_drawn && self.tolerances[i] == 0.0
     }
 
     /// One mechanism of a block: normal distributions have one standard deviation for a tolerance

@@ -8,12 +8,12 @@ use core::ops::{ControlFlow, Range};
 use std::time::{Duration, Instant};
 
 use super::block::{BLOCK, mechanisms_in};
+use super::block_evaluator::Evaluator;
 use super::draw::{Columns, Draw};
 use super::rounds::{Progress, rounds};
 use super::stream::Stream;
 
 use crate::tolerance::ToleranceError;
-use linkage_runtime::Dimensions;
 
 /// Blocks whose values give centre and width of the bins: the first ones, for all parts of a study.
 const PILOT: u64 = 4;
@@ -68,16 +68,16 @@ type Evaluate<'a, const N: usize, const K: usize> =
     dyn Fn(Range<u64>, &mut Stream<N, K>) + Sync + 'a;
 
 impl<'a, const N: usize, const K: usize> Study<'a, N, K> {
-    pub(super) fn new<M: Dimensions<N>>(
+    pub(super) fn new(
         count: u64,
         draw: Draw<N>,
         blocks: Range<u64>,
         progress: Option<Box<dyn FnMut(Progress) + 'a>>,
-        evaluate: impl Fn(&[M], [&mut [f64]; K]) + Sync + 'a,
+        evaluator: impl Evaluator<N, K> + 'a,
     ) -> Self {
         let mut pilot: [Vec<f64>; K] = array::from_fn(|_| Vec::new());
         let first = 0..PILOT.min(count.div_ceil(BLOCK as u64));
-        evaluated(&draw, count, first, &evaluate, |_, columns| {
+        evaluated(&draw, count, first, &evaluator, |_, columns| {
             for (pilot, column) in pilot.iter_mut().zip(columns) {
                 pilot.extend_from_slice(column);
             }
@@ -85,7 +85,7 @@ impl<'a, const N: usize, const K: usize> Study<'a, N, K> {
         let results = Stream::new(count, draw, pilot.each_ref().map(Vec::as_slice));
         let evaluate = move |blocks: Range<u64>, stream: &mut Stream<N, K>| {
             let draw = stream.draw().clone();
-            evaluated(&draw, count, blocks, &evaluate, |block, columns| {
+            evaluated(&draw, count, blocks, &evaluator, |block, columns| {
                 stream.push(block, columns);
             });
         };
@@ -173,25 +173,25 @@ fn progress_of<const N: usize, const K: usize>(
 }
 
 /// Draws and evaluates blocks, one after the other.
-pub(super) fn evaluated<M: Dimensions<N>, const N: usize, const K: usize>(
+pub(super) fn evaluated<const N: usize, const K: usize>(
     draw: &Draw<N>,
     count: u64,
     blocks: Range<u64>,
-    evaluate: &impl Fn(&[M], [&mut [f64]; K]),
+    evaluator: &impl Evaluator<N, K>,
     mut absorb: impl FnMut(u64, [&[f64]; K]),
 ) {
+    let mut memory = Default::default();
     let mut dimensions = Columns::new();
-    let mut mechanisms = Vec::new();
     let mut columns: [Vec<f64>; K] = array::from_fn(|_| vec![f64::NAN; BLOCK]);
     for block in blocks {
         let length = (count - block * BLOCK as u64).min(BLOCK as u64) as usize;
         draw.block(block, &mut dimensions);
-        dimensions.mechanisms(length, &mut mechanisms);
         for column in &mut columns {
             column[..length].fill(f64::NAN);
         }
-        evaluate(
-            &mechanisms,
+        evaluator.fill(
+            &mut memory,
+            &dimensions,
             columns.each_mut().map(|column| &mut column[..length]),
         );
         absorb(block, columns.each_ref().map(|column| &column[..length]));
