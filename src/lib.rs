@@ -23,7 +23,7 @@ pub use linkage_runtime::{
 #[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]
 pub use linkage_runtime::{
     Branch, BranchEnd, Circuits, Cycle, Estimate, Meeting, RangeFinding, RangeFindingKind,
-    RangeMessage, RangeReport, Unchecked,
+    RangeMessage, RangeReport, Unchecked, Undetermined,
 };
 #[cfg(feature = "alloc")]
 pub use linkage_runtime::{

@@ -14,6 +14,7 @@ mod check;
 mod choose;
 mod declaration;
 mod fmt;
+mod gap_reason;
 mod hold;
 mod import;
 mod js;

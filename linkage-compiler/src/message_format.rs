@@ -181,6 +181,16 @@ pub(crate) fn loop_names<'a>(
     range_check::listed(&names)
 }
 
+/// Returns the joints and links that loops stand for, with the numbers of those among them that are
+/// written as loops. Returns nothing if all of them are.
+pub(crate) fn joint_names(mechanism: &Mechanism, loops: &[usize]) -> String {
+    let mut linked = loops.iter().map(|&index| &mechanism.loops[index].of);
+    match linked.any(Option::is_some) {
+        true => loop_names(mechanism, loops),
+        false => String::new(),
+    }
+}
+
 /// The numbers of loops as they are printed: the first loop of the mechanism is 1.
 pub(crate) fn loop_numbers<'a>(loops: impl IntoIterator<Item = &'a usize>) -> Vec<usize> {
     let mut numbers: Vec<usize> = loops.into_iter().map(|k| k + 1).collect();

@@ -8,7 +8,8 @@ mod numbers;
 pub use checked::{Driven, Unchecked, checked};
 
 pub use message::{
-    Comes, PASSES_HELP, Reaches, listed, loop_list, not_finite, passes, with_apostrophes,
+    Comes, PASSES_HELP, Reaches, joints_or_loops, listed, loop_list, not_finite, passes,
+    with_apostrophes,
 };
 pub use numbers::{
     length_as_written, position_as_written, rounded_inwards, rounded_to, significant,

@@ -2,6 +2,7 @@
 //! so the description of a mechanism lives as long as the process, once for all equal ones.
 
 mod describe;
+mod describe_coupled;
 pub(crate) mod forever;
 
 use std::sync::OnceLock;
@@ -134,7 +135,7 @@ impl Mechanism {
         let structure = describe::structure(&compiled);
         Some(Self {
             description: describe::description(name, structure.groups, &compiled),
-            group_data: describe::group_data(name, &compiled),
+            group_data: describe::group_data(name, structure.groups, &compiled),
             parameters: describe::parameters(&compiled),
             structure,
             headings: describe::headings(&compiled),

@@ -331,6 +331,29 @@ fn both_spellings_are_one_mechanism() {
     }
 }
 
+/// At run time, too, a text with joints and links has no loops for the user.
+#[test]
+fn groups_have_the_names_of_joints() {
+    let names = |text: &str| -> Vec<String> {
+        let mechanism = compiled(&PAIRS[2], text);
+        let groups = mechanism.structure().groups.iter();
+        groups.map(|group| group.loop_names()).collect()
+    };
+    assert_eq!(names(PAIRS[2].links), ["joint `c` of `rocker`"]);
+    assert_eq!(names(PAIRS[2].loops), ["loop 1"]);
+    let mechanism = compiled(&PAIRS[2], PAIRS[2].links);
+    let mut dimensions = mechanism.dimensions();
+    let mut parameters = mechanism.parameters().iter();
+    let crank = parameters.position(|parameter| parameter.name == "crank.length");
+    dimensions[crank.expect("a length")] = 1000.0;
+    let error = mechanism.assemble(&dimensions).expect_err("it is too long");
+    let text = error.to_string();
+    assert!(
+        text.starts_with("Linkage: joint `c` of `rocker` ("),
+        "{text}"
+    );
+}
+
 /// A drawing that grows by dyads: joints, links with their joints, sliders with their lines.
 #[derive(Default)]
 struct Drawing {

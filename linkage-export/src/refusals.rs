@@ -1,6 +1,7 @@
 //! The reasons for which assembling fails, and the texts for them.
 
 use linkage_compiler::ir::{CompiledMechanism, Group};
+use linkage_core::range_check::joints_or_loops;
 
 /// A reason for which a mechanism is not assembled.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -118,14 +119,12 @@ fn group_name(index: usize, group: &Group) -> String {
     }
 }
 
-/// Returns the loops of a group with its unknowns and its kind: `loop 1 (theta, psi; RRR)`. `index`
-/// is that among all groups.
+/// Returns the loops of a group, or the joints that they stand for, with its unknowns and its kind:
+/// `loop 1 (theta, psi; RRR)`. `index` is that among all groups.
 pub fn group_text(index: usize, group: &Group) -> String {
-    let numbers: Vec<String> = group.loops.iter().map(|index| index.to_string()).collect();
-    let loops = match &numbers[..] {
+    let loops = match group.loops[..] {
         [] => format!("group {}", index + 1),
-        [only] => format!("loop {only}"),
-        [first @ .., last] => format!("loops {} and {last}", first.join(", ")),
+        _ => joints_or_loops(&group.joints, &group.loops),
     };
     let about = [group.unknowns.join(", "), group.kind.clone()];
     let about: Vec<String> = about

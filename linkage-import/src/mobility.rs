@@ -8,6 +8,7 @@ use crate::document::{Document, InputKind};
 mod built;
 mod constraints;
 mod elimination;
+mod motor_limits;
 mod ranges;
 
 use built::system;

@@ -103,9 +103,14 @@ fn input(declaration: &InputDeclaration, notation: Notation) -> String {
 
 fn groups(unit: &CompiledMechanism, notation: Notation) -> String {
     list(unit.groups.iter().map(|group| {
-        Object::new(notation)
+        let described = Object::new(notation)
             .with("kind", text(&group.kind))
-            .with("loops", list(group.loops.iter().map(usize::to_string)))
+            .with("loops", list(group.loops.iter().map(usize::to_string)));
+        let described = match &group.joints[..] {
+            "" => described,
+            joints => described.with("joints", text(joints)),
+        };
+        described
             .with(
                 "unknowns",
                 list(group.unknowns.iter().map(|name| text(plain(name)))),

@@ -234,6 +234,7 @@ fn structure_value(report: &Report, structure: &Structure) -> Value {
             "order": group.order,
             "mode": group.mode.and_then(sign),
             "loops": group.loops,
+            "joints": group.joints,
             "unknowns": group.unknowns,
             "method": group.method,
         })),

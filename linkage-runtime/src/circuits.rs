@@ -18,9 +18,10 @@ mod stretches;
 #[cfg(test)]
 mod tests;
 mod trace;
+mod undetermined;
 mod unknowns;
 
-pub use branch::{Branch, BranchEnd, Circuits, Estimate, Meeting};
+pub use branch::{Branch, BranchEnd, Circuits, Estimate, Meeting, Undetermined};
 pub use find::circuits;
 pub use levels::{Chosen, Levels, Searched};
 pub use one_input::circuits_of;

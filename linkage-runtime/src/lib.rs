@@ -41,7 +41,7 @@ mod table;
 mod vectors;
 
 #[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]
-pub use circuits::{Branch, BranchEnd, Circuits, Estimate, Meeting};
+pub use circuits::{Branch, BranchEnd, Circuits, Estimate, Meeting, Undetermined};
 #[cfg(feature = "alloc")]
 pub use columns::Columns;
 pub use data::{AssemblyMode, Input, Operations, Parameter};

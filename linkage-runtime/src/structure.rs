@@ -1,8 +1,12 @@
 //! The structure that the compiler found in a mechanism.
 
 use crate::data::Operations;
+#[cfg(feature = "alloc")]
+use alloc::string::String;
 use core::fmt;
-use linkage_core::format::{join, numbers};
+use linkage_core::format::{join, numbers, printed};
+#[cfg(feature = "alloc")]
+use linkage_core::range_check::joints_or_loops;
 
 /// The structure of a mechanism: its Assur groups in the order in which they are solved, and the
 /// cost of each generated function.
@@ -17,6 +21,7 @@ use linkage_core::format::{join, numbers};
 ///         order: 2,
 ///         kind: "RRR",
 ///         loops: &[1],
+///         joints: "",
 ///         unknowns: &["theta", "psi"],
 ///         mode: Some(0),
 ///         method: "closed form",
@@ -55,12 +60,25 @@ pub struct Group {
     pub kind: &'static str,
     /// Its loops, the first loop of the mechanism being 1.
     pub loops: &'static [usize],
+    /// The joints and links that its loops stand for: ``joint `c` of `rocker` ``. Empty if all of
+    /// them are written as loops.
+    pub joints: &'static str,
     /// The unknowns that it determines.
     pub unknowns: &'static [&'static str],
     /// Index among the assembly's modes; `None` for a group with one solution.
     pub mode: Option<usize>,
     /// The closed form, or its absence.
     pub method: &'static str,
+}
+
+#[cfg(feature = "alloc")]
+impl Group {
+    /// Returns the joints and links that its loops stand for, or the numbers of the loops:
+    /// `loops 2 and 3`.
+    #[must_use]
+    pub fn loop_names(&self) -> String {
+        joints_or_loops(self.joints, self.loops)
+    }
 }
 
 /// A generated function.
@@ -91,13 +109,15 @@ fn groups(f: &mut fmt::Formatter<'_>, groups: &[Group]) -> fmt::Result {
         groups.iter().map(cell).fold(title.len(), usize::max)
     };
     let kinds = width("kind", &|group| group.kind.len());
-    let loops = width("loops", &|group| length(&numbers(group.loops, ", ")));
+    let linked = groups.iter().any(|group| !group.joints.is_empty());
+    let title = if linked { "joints" } else { "loops" };
+    let loops = width(title, &|group| length(&loops_of(group)));
     let unknowns = width("unknowns", &|group| length(&join(group.unknowns, ", ")));
 
     writeln!(
         f,
-        "group  {:kinds$}  class  order  mode  {:loops$}  {:unknowns$}  method",
-        "kind", "loops", "unknowns"
+        "group  {:kinds$}  class  order  mode  {title:loops$}  {:unknowns$}  method",
+        "kind", "unknowns"
     )?;
     for (index, group) in groups.iter().enumerate() {
         write!(f, "{:<5}  {:kinds$}  ", index + 1, group.kind)?;
@@ -106,11 +126,20 @@ fn groups(f: &mut fmt::Formatter<'_>, groups: &[Group]) -> fmt::Result {
             Some(mode) => write!(f, "{mode:<4}  ")?,
             None => write!(f, "-     ")?,
         }
-        padded(f, &numbers(group.loops, ", "), loops)?;
+        padded(f, &loops_of(group), loops)?;
         padded(f, &join(group.unknowns, ", "), unknowns)?;
         writeln!(f, "{}", group.method)?;
     }
     Ok(())
+}
+
+/// The joints of a group, or the numbers of its loops.
+fn loops_of(group: &Group) -> impl fmt::Display {
+    let Group { joints, loops, .. } = *group;
+    printed(move |f| match joints {
+        "" => write!(f, "{}", numbers(loops, ", ")),
+        _ => f.write_str(joints),
+    })
 }
 
 fn cost(f: &mut fmt::Formatter<'_>, name: &str, operations: &Operations) -> fmt::Result {

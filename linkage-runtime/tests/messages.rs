@@ -25,6 +25,7 @@ fn a_structure_is_a_table() {
                 order: 2,
                 kind: "RRR",
                 loops: &[1],
+                joints: "",
                 unknowns: &["theta", "psi"],
                 mode: Some(0),
                 method: "quadratic",
@@ -34,6 +35,7 @@ fn a_structure_is_a_table() {
                 order: 0,
                 kind: "",
                 loops: &[2, 3],
+                joints: "",
                 unknowns: &["s"],
                 mode: None,
                 method: "linear",
@@ -121,12 +123,66 @@ fn miss(loops: &'static [usize], kind: &'static str, miss: f64, unit: &'static s
             index: 1,
             kind,
             loops,
+            joints: "",
             unknowns,
         },
         miss,
         unit,
     }
     .to_string()
+}
+
+/// A text with joints and links has no loops for the user.
+#[test]
+fn errors_and_tables_name_joints() {
+    const GROUP: Group = Group {
+        class: 2,
+        order: 2,
+        kind: "RRR",
+        loops: &[1],
+        joints: "joint `c` of `rocker`",
+        unknowns: &["coupler.angle", "rocker.angle"],
+        mode: Some(0),
+        method: "quadratic",
+    };
+    let group = GroupRef {
+        mechanism: "M",
+        index: 0,
+        kind: GROUP.kind,
+        loops: GROUP.loops,
+        joints: GROUP.joints,
+        unknowns: GROUP.unknowns,
+    };
+    let expected = "M: joint `c` of `rocker` (coupler.angle, rocker.angle; RRR)";
+    assert_eq!(group.to_string(), expected);
+    assert_eq!(GROUP.loop_names(), GROUP.joints);
+    let written = Group {
+        joints: "",
+        loops: &[1, 2],
+        ..GROUP
+    };
+    assert_eq!(written.loop_names(), "loops 1 and 2");
+    const STRUCTURE: Structure = Structure {
+        mobility: 1,
+        groups: &[
+            GROUP,
+            Group {
+                joints: "",
+                loops: &[2, 3],
+                ..GROUP
+            },
+        ],
+        functions: &[],
+        prepare: NONE,
+    };
+    let expected = "\
+mobility 1
+group  kind  class  order  mode  joints                 unknowns                     method
+1      RRR   2      2      0     joint `c` of `rocker`  coupler.angle, rocker.angle  quadratic
+2      RRR   2      2      0     2, 3                   coupler.angle, rocker.angle  quadratic
+assemble: 0 operations (none)
+";
+    assert_eq!(STRUCTURE.to_string(), expected);
 }
 
 #[test]
@@ -166,6 +222,7 @@ fn other_errors_say_what_is_wrong() {
                 index: 0,
                 kind: "RRR",
                 loops: &[1],
+                joints: "",
                 unknowns: &["theta", "psi"],
             },
         },
@@ -276,6 +333,7 @@ fn groups_without_a_closed_form_say_what_is_wrong() {
                 index: 2,
                 kind: "RR-RR-PR",
                 loops: &[1, 2],
+                joints: "",
                 unknowns: &["theta", "s"],
             },
             cause,

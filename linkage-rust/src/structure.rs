@@ -41,6 +41,7 @@ fn group(outline: &Outline, group: &Group) -> TokenStream {
         class,
         order,
         kind,
+        joints,
         unknowns,
         method,
         ..
@@ -59,6 +60,7 @@ fn group(outline: &Outline, group: &Group) -> TokenStream {
             order: #order,
             kind: #kind,
             loops: &[#(#loops),*],
+            joints: #joints,
             unknowns: &[#(#unknowns),*],
             mode: #mode,
             method: #method,

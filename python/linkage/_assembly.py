@@ -100,7 +100,8 @@ class Assembly:
         -------
         array, shape S + (groups,)
             0 for a group that closes, the distance in the unit of its loops for one that does not,
-            and NaN for those after it. `mechanism.groups` has their unknowns.
+            and NaN for those after it. `mechanism.groups` has their unknowns and
+            joints.
         """
         import numpy as np
 

@@ -79,7 +79,7 @@ class Mechanism:
     warnings: str
     structure: str
     mobility: int
-    groups: list[tuple[list[str], str]]
+    groups: list[tuple[list[str], str, str]]
     parameters: list[tuple[str, str, float, float]]
     inputs: list[tuple[str, str, float, tuple[float, float] | None, tuple[float, float]]]
     arguments: list[tuple[str, str, float | None]]

@@ -33,10 +33,14 @@ class Origin(NamedTuple):
 
 
 class Group(NamedTuple):
-    """Unknowns that are solved together, and the kind of their group, such as `RRR`."""
+    """Unknowns that are solved together, the kind of their group, such as `RRR`, and their loops.
+
+    The loops are named by the joints and links that they stand for, or by their numbers.
+    """
 
     unknowns: tuple[str, ...]
     kind: str
+    loops: str
 
 
 class Mechanism:
@@ -91,7 +95,8 @@ class Mechanism:
     @cached_property
     def groups(self) -> tuple[Group, ...]:
         """Its groups in the order in which they are solved."""
-        return tuple(Group(tuple(unknowns), kind) for unknowns, kind in self._native.groups)
+        groups = self._native.groups
+        return tuple(Group(tuple(unknowns), kind, loops) for unknowns, kind, loops in groups)
 
     @cached_property
     def dimensions(self) -> Dimensions:

@@ -91,10 +91,10 @@ impl Mechanism {
     }
 
     #[getter]
-    fn groups(&self) -> Vec<(Vec<&'static str>, &'static str)> {
+    fn groups(&self) -> Vec<(Vec<&'static str>, &'static str, String)> {
         let groups = self.compiled.structure().groups.iter();
         groups
-            .map(|group| (group.unknowns.to_vec(), group.kind))
+            .map(|group| (group.unknowns.to_vec(), group.kind, group.loop_names()))
             .collect()
     }
 

@@ -253,7 +253,7 @@ def test_names_help(bar, m):
     assert bar.inputs["phi"].linspace(3)[-1] == pytest.approx(2 * np.pi)
     assert "crank=50" in repr(m) and "psi = " in repr(m.motion(1.0))
     assert bar.structure.startswith("mobility 1") and bar.mobility == 1
-    assert bar.groups[0].unknowns == ("theta", "psi")
+    assert bar.groups[0] == (("theta", "psi"), "RRR", "loop 1")
 
 
 def test_files_and_pages(bar, m, tmp_path):

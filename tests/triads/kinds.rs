@@ -152,6 +152,7 @@ impl Kind {
             input,
             branches: branches.collect(),
             meetings: found.meetings,
+            undetermined: found.undetermined,
         })
     }
 }

@@ -32,6 +32,18 @@ pub(super) fn takes(mechanism: &Mechanism, name: &str) -> bool {
     arguments(mechanism).any(|argument| argument == name)
 }
 
+/// Returns all inputs: those among the arguments of a function, the others at their references.
+pub(super) fn inputs_given(mechanism: &Mechanism, function: usize, arguments: &[f64]) -> Vec<f64> {
+    let mut inputs = mechanism.reference();
+    let indices = &mechanism.compiled().functions[function].arguments;
+    for (&index, &x) in indices.iter().zip(arguments) {
+        if let Some(input) = inputs.get_mut(index) {
+            *input = x;
+        }
+    }
+    inputs
+}
+
 /// Selects the options for arguments with one of these names.
 pub(super) fn among(names: &[&str], given: &[String]) -> Vec<String> {
     let is_known = |given: &&String| {

@@ -9,14 +9,16 @@ use clap::Args;
 use linkage_compiler::{short_words, shortened};
 use linkage_engine::Mechanism;
 
+use super::arguments_given::inputs_given;
 use super::choose::Chosen;
+use super::gap_reason::reason_of_gap;
 use super::output::print;
 use super::range;
 use super::sweep::arguments;
 use super::values::{Dimensions, number, parts};
 use crate::failure::{Failure, known_names, listed};
 use crate::normal::normal;
-use position::{inputs_given, note_of_range, reason_of_gap};
+use position::note_of_range;
 
 /// Options of the command.
 #[derive(Debug, Args)]
@@ -77,12 +79,16 @@ pub(super) fn run(options: &Options) -> Result<(), Failure> {
         Solution::Beyond(x) => Err(Failure::Told(format!(
             "`{by} = {}` is needed, but {}",
             shown(x, varied.unit),
-            varied.reason_beyond(x)?
+            varied.reason_beyond(x)
         ))),
         Solution::Constant => Err(Failure::Told(format!("`{by}` does not change `{name}`"))),
         Solution::Missing => Err(Failure::Told(format!(
             "`{name}` is no number {}",
-            reason_of_gap(&mechanism, &varied.dimensions, &inputs)?
+            reason_of_gap(
+                &mechanism,
+                &mechanism.assemble(&varied.dimensions)?,
+                &inputs
+            )
         ))),
         Solution::Curved => Err(Failure::Told(format!(
             "`{name}` is not linear in `{by}`\n\
@@ -168,14 +174,15 @@ impl<'a> Varied<'a> {
     }
 
     /// Returns the reason why there are no results for another value.
-    fn reason_beyond(&self, x: f64) -> Result<String, Failure> {
+    fn reason_beyond(&self, x: f64) -> String {
         let (arguments, dimensions) = self.with(x);
-        if let Err(error) = self.mechanism.assemble(&dimensions) {
-            return Ok(format!("with it {}", short_words(&error.to_string())));
-        }
+        let assembly = match self.mechanism.assemble(&dimensions) {
+            Ok(assembly) => assembly,
+            Err(error) => return format!("with it {}", short_words(&error.to_string())),
+        };
         let inputs = inputs_given(self.mechanism, self.function, &arguments);
-        let reason = reason_of_gap(self.mechanism, &dimensions, &inputs)?;
-        Ok(format!("there is no result {reason}"))
+        let reason = reason_of_gap(self.mechanism, &assembly, &inputs);
+        format!("there is no result {reason}")
     }
 
     /// All arguments and dimensions with another value.

@@ -7,7 +7,9 @@ use std::path::PathBuf;
 use clap::{Args, value_parser};
 use linkage_report::{CsvStyle, Mistake};
 
+use super::arguments_given::inputs_given;
 use super::choose::Chosen;
+use super::gap_reason::reason_of_gap;
 use super::output::put;
 use super::range;
 use super::running_input::RunningInput;
@@ -65,10 +67,13 @@ pub(super) fn run(options: &Options) -> Result<(), Failure> {
         true => table.in_json(out, &options.function, assembly.dimensions()),
         false => table.in_lines(out, &style),
     })?;
-    if table.missing > 0 {
+    if let Some(first) = &table.first_missing {
+        let inputs = inputs_given(&mechanism, function, first);
         eprintln!(
-            "note: at {} of {} positions a number is missing: the mechanism cannot be assembled there, or stands at a dead point or a change point",
-            table.missing, along.positions.count
+            "note: at {} of {} positions a number is missing, first {}",
+            table.missing,
+            along.positions.count,
+            reason_of_gap(&mechanism, &assembly, &inputs)
         );
     }
     for message in table.singular_positions() {

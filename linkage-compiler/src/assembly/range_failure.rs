@@ -45,11 +45,15 @@ impl<'m> Ranges<'_, 'm> {
             several: solved.group.loops.len() != 1,
             unknowns: &unknowns,
         };
+        let works = self.works(algebra, &words, &at);
+        let [low, high] = works.range.each_ref().map(String::as_str);
+        let range = Some(format!("{low}..{high}"));
         if !at.dead_point.finite {
+            let message = not_finite(group, &position, "", Some([low, high]));
             return Apart {
                 origins: range_of(input),
-                message: with_help(&not_finite(group, &position, "")),
-                range: None,
+                message: with_help(&message),
+                range,
             };
         }
         let miss = self.largest_miss(&at);
@@ -57,14 +61,13 @@ impl<'m> Ranges<'_, 'm> {
             true => self.even(algebra, &at),
             false => None,
         };
-        let works = self.works(algebra, &words, &at);
         let reaches = |picture| Reaches {
             group,
             change: miss == 0.0,
             position: &position,
             picture,
             works: works.fact.each_ref().map(String::as_str),
-            range: works.range.each_ref().map(String::as_str),
+            range: [low, high],
         };
         let message = match even {
             Some(even) => {
@@ -87,11 +90,10 @@ impl<'m> Ranges<'_, 'm> {
                 with_help(&[reaches.fact(), reaches.help()])
             }
         };
-        let [low, high] = &works.range;
         Apart {
             origins: range_of(input),
             message,
-            range: Some(format!("{low}..{high}")),
+            range,
         }
     }
 
@@ -129,7 +131,7 @@ impl<'m> Ranges<'_, 'm> {
                 OR_LENGTHS.to_owned(),
             ),
             false => {
-                let [fact, help] = not_finite(group, &position, &how);
+                let [fact, help] = not_finite(group, &position, &how, None);
                 (fact, "", help)
             }
         };

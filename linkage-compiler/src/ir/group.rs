@@ -16,6 +16,9 @@ pub struct Group {
     pub kind: String,
     /// Numbers of its loops, the first loop of the mechanism being 1.
     pub loops: Vec<usize>,
+    /// The joints and links that its loops stand for: ``joint `c` of `rocker` ``. Empty if all of
+    /// them are written as loops.
+    pub joints: String,
     /// Names of the unknowns that it finds.
     pub unknowns: Vec<String>,
     /// Index among the assembly modes; `None` for a group with one solution.
@@ -107,6 +110,8 @@ impl Coupled {
 pub struct MissedLoop {
     /// Its number, the first loop of the mechanism being 1.
     pub number: usize,
+    /// The joint or link that it stands for; empty for a loop as it is written.
+    pub joint: String,
     /// The number of components that its sides have.
     pub rows: usize,
     /// `mm`; nothing for a number.

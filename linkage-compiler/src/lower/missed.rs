@@ -7,6 +7,7 @@ use linkage_symbolic::schedule::schedule_whole;
 
 use crate::algebra::Algebra;
 use crate::ir::{CompiledMechanism, MissedLoop};
+use crate::message_format::joint_names;
 use crate::mobility::difference;
 use crate::model::{Mechanism, unknown_frames};
 use crate::solve::{Formulation, Solved, Version};
@@ -81,6 +82,7 @@ fn differences<'m>(
         let dimension = dimensions.max_by_key(|dimension| dimension.half_lengths);
         missed.push(MissedLoop {
             number: index + 1,
+            joint: joint_names(mechanism, &[index]),
             rows: difference.len(),
             unit: dimension.map_or_else(String::new, |dimension| dimension.unit(mechanism.unit)),
             scale: dimension.map_or(1.0, |dimension| {

@@ -11,6 +11,7 @@ use crate::algebra::derivatives::dependence;
 use crate::algebra::{Algebra, constant_ratio};
 use crate::ir::{Argument, CompiledMechanism, Group, Input, Parameter, Role, Scalar, Unknown};
 use crate::machine::{AtReference, Reference, followed_range};
+use crate::message_format::joint_names;
 use crate::model::{Mechanism, Shape};
 use crate::solve::{Formulation, Prepared, Solved};
 use crate::structure::SolutionBound;
@@ -155,6 +156,7 @@ fn group(
         order: solved.closed.order,
         kind: solved.closed.kind.to_string(),
         loops: solved.group.loops.iter().map(|k| k + 1).collect(),
+        joints: joint_names(mechanism, &solved.group.loops),
         unknowns: solved.group.unknowns.iter().map(unknown).collect(),
         mode: solved.mode,
         coupled: solved.prepared.is_some(),

@@ -7,6 +7,7 @@
 use linkage_core::numeric::least_squares::{self, CLOSED, Equations, minimise};
 use linkage_symbolic::Graph;
 
+use crate::message_format::loop_names;
 use crate::mobility::loops::Loops;
 use crate::mobility::motion::list;
 use crate::mobility::null_space::{LITTLE, NEARLY_ZERO, largest};
@@ -64,7 +65,7 @@ fn missing(position: &Position<'_, '_>, rows: &LoopRows, loops: &Loops) -> Strin
             }
             _ => position.words.value(ty, value),
         };
-        format!("loop {} by {by}", index + 1)
+        format!("{} by {by}", loop_names(position.mechanism, [index]))
     });
     let told: Vec<String> = told.collect();
     match all.len() - told.len() {

@@ -7,7 +7,7 @@ use crate::algebra::Algebra;
 use crate::algebra::names::Bound;
 use crate::model::Dimension;
 use crate::picture::layout::Layout;
-use crate::picture::marks::{Arc, Line, Segment, Shape, Slide, Spot};
+use crate::picture::marks::{Arc, Line, Segment, Shape, Slide, Slot, Spot};
 use crate::picture::samples::Samples;
 use crate::picture::sketch::Sketch;
 use crate::picture::{directions, links, sketch};
@@ -24,9 +24,12 @@ pub(super) struct Candidate<'m> {
     /// True if an input is its length.
     pub(super) is_driven: bool,
     pub(super) is_arc: bool,
+    /// True for a straight slot that the text has.
+    pub(super) is_slot: bool,
 }
 
-/// Returns all guides of segments, lines and arcs. Their points are added to the sketch.
+/// Returns all guides of declared slots, segments, lines and arcs. Their points are added to the
+/// sketch.
 pub(super) fn collect<'m>(
     algebra: &mut Algebra<'m>,
     layout: &Layout<'m>,
@@ -38,9 +41,10 @@ pub(super) fn collect<'m>(
         segments,
         lines,
         arcs,
+        slots,
         ..
     } = sketch;
-    let mut candidates = Vec::new();
+    let mut candidates: Vec<Candidate> = slots.iter().map(of_slot).collect();
     for segment in segments.iter() {
         let (from, to) = (samples.same[segment.from], samples.same[segment.to]);
         let is_written = !segment.is_aside || has_written_length(algebra, segment);
@@ -136,6 +140,7 @@ fn slide<'m>(
         is_distance: matches!(segment.shape, Shape::Distance),
         is_driven: input.is_some(),
         is_arc: false,
+        is_slot: false,
     })
 }
 
@@ -190,6 +195,22 @@ fn of_line<'m>(
         is_distance: false,
         is_driven: false,
         is_arc: false,
+        is_slot: false,
+    }
+}
+
+/// The guide of a straight slot that the text has.
+fn of_slot<'m>(slot: &Slot<'m>) -> Candidate<'m> {
+    Candidate {
+        name: slot.name.clone(),
+        origin: slot.start,
+        slider: slot.slider,
+        along: slot.direction,
+        on_frame: false,
+        is_distance: false,
+        is_driven: false,
+        is_arc: false,
+        is_slot: true,
     }
 }
 
@@ -204,5 +225,6 @@ fn of_arc<'m>(arc: &Arc<'m>) -> Candidate<'m> {
         is_distance: false,
         is_driven: false,
         is_arc: true,
+        is_slot: false,
     }
 }

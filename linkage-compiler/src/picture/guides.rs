@@ -30,6 +30,8 @@ pub(super) struct RawGuide<'m> {
     /// A distance between two pins is a cylinder, and a length that an input drives and that turns
     /// about its end.
     pub(super) shape: GuideShape,
+    /// True for a straight slot that the text has.
+    is_slot: bool,
 }
 
 impl<'m> Guides<'m> {
@@ -103,7 +105,9 @@ impl<'m> Guides<'m> {
             let is_rod =
                 guide.on == GuideOn::Itself && on == GuideOn::Itself && guide.origin == origin;
             let is_like = has_line && (guide.shape == shape || is_rod);
-            is_like && guide.slider == slider && {
+            // A joint of forces may have the slot in its first body, whose origin slides there.
+            let is_other_way = guide.is_slot && !candidate.is_slot && guide.origin == slider;
+            is_like && (guide.slider == slider || is_other_way) && {
                 let other = samples.tracks_of(&[guide.along]);
                 parallel(along, &other[0])
             }
@@ -124,6 +128,7 @@ impl<'m> Guides<'m> {
             along: candidate.along,
             on,
             shape,
+            is_slot: candidate.is_slot,
         });
     }
 }

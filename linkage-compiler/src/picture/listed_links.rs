@@ -1,10 +1,10 @@
 //! Links that are listed by their points: those that `picture` lists, and those of a text with joints
-//! and links. Such a text also has wheels.
+//! and links. Such a text also has straight slots and wheels.
 
 use crate::algebra::Algebra;
 use crate::model::{Expr, PairedWheel};
 use crate::picture::layout::Layout;
-use crate::picture::marks::{Asked, NamedLink, WheelPair};
+use crate::picture::marks::{Asked, NamedLink, Slot, WheelPair};
 use crate::picture::sketch::Sketch;
 use crate::picture::statement::Statement;
 use crate::picture::{chains, layout, sketch, titles};
@@ -23,7 +23,7 @@ pub(super) fn add_lists<'m>(
     }
 }
 
-/// Adds the links and wheels that the text has.
+/// Adds the links, straight slots and wheels that the text has.
 pub(super) fn add_links<'m>(
     algebra: &mut Algebra<'m>,
     layout: &Layout<'m>,
@@ -34,6 +34,16 @@ pub(super) fn add_links<'m>(
         let points = points(algebra, layout, sketch, &link.joints);
         let name = link.name.clone();
         sketch.named_links.push(NamedLink { name, points });
+    }
+    for slot in &elements.slots {
+        let [slider, start] =
+            [&slot.slider, &slot.start].map(|end| point(algebra, layout, sketch, end));
+        sketch.slots.push(Slot {
+            name: slot.name.clone(),
+            slider,
+            start,
+            direction: layout::vector(algebra, layout.dimension, &slot.direction),
+        });
     }
     // In space, wheels may lie in any plane.
     for pair in elements.pairs.iter().filter(|_| layout.dimension == 2) {

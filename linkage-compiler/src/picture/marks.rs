@@ -90,6 +90,18 @@ pub(super) struct Arc<'m> {
     pub(super) direction: Vn<'m>,
 }
 
+/// A straight slot that the text has.
+#[derive(Clone, Debug)]
+pub(super) struct Slot<'m> {
+    pub(super) name: String,
+    /// The point in the slot.
+    pub(super) slider: usize,
+    /// A point of its line on the carrier.
+    pub(super) start: usize,
+    /// A unit vector that turns with the carrier.
+    pub(super) direction: Vn<'m>,
+}
+
 /// A list in `picture([p, q])`.
 #[derive(Clone, Debug)]
 pub(super) struct Asked {

@@ -6,7 +6,7 @@ use crate::algebra::Algebra;
 use crate::model::JointKind;
 use crate::picture::layout::Layout;
 use crate::picture::marks::{
-    Arc, Asked, Line, Mean, NamedLink, Plane, Segment, Shape, Spot, Title, Turn, WheelPair,
+    Arc, Asked, Line, Mean, NamedLink, Plane, Segment, Shape, Slot, Spot, Title, Turn, WheelPair,
 };
 
 /// Points and the segments between them, as they are found; several may be one and the same.
@@ -19,6 +19,8 @@ pub(super) struct Sketch<'m> {
     pub(super) lines: Vec<Line<'m>>,
     /// Curved slots.
     pub(super) arcs: Vec<Arc<'m>>,
+    /// Straight slots that the text has.
+    pub(super) slots: Vec<Slot<'m>>,
     /// In space: planes on which points stay, two of which are a guide.
     pub(super) planes: Vec<Plane<'m>>,
     /// In space: points and directions of axes.

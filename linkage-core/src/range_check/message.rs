@@ -96,15 +96,25 @@ impl Reaches<'_> {
     }
 }
 
-/// Returns the text and the help for equations of a group without a finite value at a place.
+/// Returns the text and the help for equations of a group without a finite value at a place. `range`
+/// are the ends of the range that is proposed instead, if one is known.
 #[must_use]
-pub fn not_finite(group: Comes, position: &str, how: &str) -> [String; 2] {
+pub fn not_finite(
+    group: Comes,
+    position: &str,
+    how: &str,
+    range: Option<[&str; 2]>,
+) -> [String; 2] {
+    let restrict = match range {
+        Some([low, high]) => format!("write `in {low}..{high}`"),
+        None => "restrict the range".to_string(),
+    };
     [
         format!(
             "{} a division by zero, or a root or an arc function out of its range at {position}{how}",
             group.apart()
         ),
-        "restrict the range, or change what is not a finite number beyond it".to_string(),
+        format!("{restrict}, or change what is not a finite number beyond it"),
     ]
 }
 
@@ -125,6 +135,16 @@ pub fn loop_list(numbers: &[usize]) -> String {
         [one] => format!("loop {one}"),
         [] => "no loop".to_string(),
         several => format!("loops {}", listed(several)),
+    }
+}
+
+/// Returns the joints and links that the loops of a group stand for, or, if there are none, the
+/// numbers of the loops.
+#[must_use]
+pub fn joints_or_loops(joints: &str, loops: &[usize]) -> String {
+    match joints {
+        "" => loop_list(loops),
+        _ => joints.to_string(),
     }
 }
 

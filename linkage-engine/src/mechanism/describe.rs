@@ -1,18 +1,14 @@
 //! The runtime's descriptions of a unit, as generated code has them as constants.
 
-use linkage_compiler::ir::{
-    CompiledMechanism, Coupled, Function, Meaning, Picture, ShownNumber, plain,
-};
-use linkage_runtime::support::{
-    self, Along, Angle, CoupledGroup, CoupledInput, CoupledLoop, CoupledUnknown, Description,
-    GroupData, Range, SurveyedUnknown, Term,
-};
+use linkage_compiler::ir::{CompiledMechanism, Function, Meaning, Picture, plain};
+use linkage_runtime::support::{self, Along, Angle, Description, GroupData, SurveyedUnknown};
 use linkage_runtime::{
     AssemblyMode, Axis, Column, FunctionInfo, Group, Guide, Heading, Input, Operations, Parameter,
     PictureColumns, PictureJoint, PictureLink, PicturePart, PicturePoint, Structure,
 };
 use linkage_symbolic::count::Count;
 
+use super::describe_coupled;
 use super::forever::forever;
 
 /// The data that its assembly needs.
@@ -47,12 +43,16 @@ pub(super) fn description(
 }
 
 /// The data that searches for its assemblies need.
-pub(super) fn group_data(name: &'static str, unit: &CompiledMechanism) -> GroupData {
+pub(super) fn group_data(
+    name: &'static str,
+    described: &'static [Group],
+    unit: &CompiledMechanism,
+) -> GroupData {
     let slacks = unit.groups.iter().map(|group| group.slack);
     GroupData {
         levels: forever(unit.levels()),
         slacks: forever(slacks.collect::<Vec<_>>()),
-        coupled: groups(name, unit),
+        coupled: describe_coupled::groups(name, described, unit),
         surveying: unit.surveying,
         unknowns: surveyed(unit),
         repeats: unit.repeats(),
@@ -90,6 +90,7 @@ pub(super) fn structure(unit: &CompiledMechanism) -> &'static Structure {
         order: group.order,
         kind: forever(group.kind.as_str()),
         loops: forever(group.loops.as_slice()),
+        joints: forever(group.joints.as_str()),
         unknowns: names(&group.unknowns),
         mode: group.mode,
         method: forever(group.method.as_str()),
@@ -219,66 +220,6 @@ fn angles(unit: &CompiledMechanism) -> &'static [Angle] {
         }
     };
     forever(unit.angles.iter().map(angle).collect::<Vec<_>>())
-}
-
-fn groups(mechanism: &'static str, unit: &CompiledMechanism) -> &'static [CoupledGroup] {
-    let groups = unit.coupled.iter();
-    let groups = groups.map(|coupled| group(mechanism, unit, coupled));
-    forever(groups.collect::<Vec<_>>())
-}
-
-fn group(mechanism: &'static str, unit: &CompiledMechanism, coupled: &Coupled) -> CoupledGroup {
-    let group = &unit.groups[coupled.group];
-    let unknowns = coupled.unknowns.iter().map(|placed| {
-        let ShownNumber { name, unit, scale } = unit.shown(placed);
-        CoupledUnknown {
-            name: forever(name),
-            estimate: placed.estimate,
-            scale,
-            unit: forever(unit),
-            angle: placed.angle,
-        }
-    });
-    let terms = coupled.terms.iter().map(|(equation, exponents)| Term {
-        equation: *equation,
-        exponents: forever(exponents.as_slice()),
-    });
-    let inputs = coupled.inputs.iter().map(|&index| {
-        let input = &unit.inputs[index];
-        let (low, high) = input.followed;
-        CoupledInput {
-            name: forever(input.name.as_str()),
-            unit: forever(input.unit.as_str()),
-            index,
-            declared: input.range.is_some(),
-            range: Range {
-                low,
-                high,
-                turn: input.angle,
-            },
-        }
-    });
-    let missed = coupled.missed_loops.iter().map(|missed_loop| CoupledLoop {
-        number: missed_loop.number,
-        rows: missed_loop.rows,
-        unit: forever(missed_loop.unit.as_str()),
-        scale: missed_loop.scale,
-    });
-    CoupledGroup {
-        mechanism,
-        group: coupled.group,
-        kind: forever(group.kind.as_str()),
-        loops: forever(group.loops.as_slice()),
-        names: names(&group.unknowns),
-        unknowns: forever(unknowns.collect::<Vec<_>>()),
-        variables: forever(coupled.variables.as_slice()),
-        terms: forever(terms.collect::<Vec<_>>()),
-        missed: forever(missed.collect::<Vec<_>>()),
-        inputs: forever(inputs.collect::<Vec<_>>()),
-        in_cells: coupled.in_cells,
-        reach: coupled.reach,
-        turning: coupled.turning,
-    }
 }
 
 /// The unknowns in the order of their numbers in a survey.

@@ -4,7 +4,8 @@
 #[derive(Clone, Debug)]
 pub(crate) struct Input {
     pub(crate) kind: InputKind,
-    /// The travel from the drawn position that the file allows: lengths for cylinders and slots.
+    /// The travel from the drawn position that the file allows: degrees for motors, lengths for
+    /// cylinders and slots.
     pub(crate) travel: Option<[f64; 2]>,
     /// The speed in the file, as text.
     pub(crate) speed: Option<String>,

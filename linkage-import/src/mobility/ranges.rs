@@ -9,6 +9,7 @@ use crate::driven_motions::{DrivenMotion, driven_motions, spread};
 use super::built::system;
 use super::constraints::{Pose, System};
 use super::elimination::solve;
+use super::motor_limits;
 
 /// A step of a crank in radians, and of a length as a part of the size.
 const ANGLE_STEP: f64 = TAU / 180.0;
@@ -160,7 +161,9 @@ fn single(walk: &Walk, document: &Document, motion: usize) -> [f64; 2] {
     let (step, bounds) = match kind {
         InputKind::Crank { .. } => {
             let ratios = followers.iter().map(|(_, ratio)| ratio.abs());
-            (ANGLE_STEP / ratios.fold(1.0, f64::max), [-turns, turns])
+            let within = |bound| motor_limits::limited(document, &walk.motions[motion], bound);
+            let bounds = [-turns, turns].map(within);
+            (ANGLE_STEP / ratios.fold(1.0, f64::max), bounds)
         }
         InputKind::Length { link } => {
             let joints = &document.links[link].joints;
@@ -178,7 +181,9 @@ fn single(walk: &Walk, document: &Document, motion: usize) -> [f64; 2] {
     };
     let is_crank = matches!(kind, InputKind::Crank { .. });
     let reach = bounds.map(|bound| reached(walk, motion, bound, step));
+    let is_limited = bounds != [-turns, turns];
     if is_crank
+        && !is_limited
         && reach
             .iter()
             .any(|end| end.is_end && is_whole_turn(&end.pose))

@@ -73,8 +73,8 @@ function close(own, x) {
   const { unit } = own;
   gapsAt(own, x).forEach((miss, group) => {
     if (miss <= 0) return;
-    const { kind, loops, unknowns, unit: measure } = unit.groups[group];
-    const of = `${unit.name}: the ${kind} group of ${unknowns.join(", ")} (loop ${loops.join(", ")})`;
+    const { kind, loops, joints, unknowns, unit: measure } = unit.groups[group];
+    const of = `${unit.name}: the ${kind} group of ${unknowns.join(", ")} (${joints || `loop ${loops.join(", ")}`})`;
     if (Number.isNaN(miss)) {
       throw new AssemblyError("undefined", `${of} is undefined: something before it has no value`, { group });
     }

@@ -1,13 +1,14 @@
-//! Links and wheels when loops have taken their place, for pictures and descriptions of robots.
+//! Links, slots and wheels when loops have taken their place, for pictures and descriptions of robots.
 
 use proc_macro2::Ident;
 
 use super::expression_tree::Expr;
 
-/// The links and pairs of wheels of a mechanism that is written with them.
+/// The links, straight slots and pairs of wheels of a mechanism that is written with them.
 #[derive(Debug, Default)]
 pub struct LinkElements {
     pub links: Vec<RigidLink>,
+    pub slots: Vec<StraightSlot>,
     pub pairs: Vec<PairOfWheels>,
 }
 
@@ -17,6 +18,19 @@ pub struct RigidLink {
     pub name: Ident,
     /// At least two.
     pub joints: Vec<Expr>,
+}
+
+/// A straight slot with its slider.
+#[derive(Debug)]
+pub struct StraightSlot {
+    /// The slider.
+    pub name: Ident,
+    /// The point in the slot.
+    pub slider: Expr,
+    /// A point of its line, on the link that has the slot.
+    pub start: Expr,
+    /// The direction of the slot in the drawing.
+    pub angle: Expr,
 }
 
 /// Two wheels that turn each other.

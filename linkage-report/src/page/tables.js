@@ -122,9 +122,10 @@ function contributionsGrid(index) {
 function structureTables({ mobility, groups, functions, prepare }) {
   const rows = groups.map((group, index) => [
     index + 1, group.kind, group.class || "", group.order || "", group.mode ?? "",
-    group.loops.join(", "), group.unknowns.join(", "), group.method,
+    group.joints || group.loops.join(", "), group.unknowns.join(", "), group.method,
   ]);
-  const heads = ["group", "kind", "class", "order", "mode", "loops", "unknowns", "method"];
+  const closed = groups.some(({ joints }) => joints) ? "joints" : "loops";
+  const heads = ["group", "kind", "class", "order", "mode", closed, "unknowns", "method"];
   const counts = [["assemble", prepare], ...(functions ?? []).map((item) => [item.name, item.operations ?? item])];
   const costs = counts.filter(([, operations]) => operations).map(([name, operations]) => [name, ...costOf(operations)]);
   return [

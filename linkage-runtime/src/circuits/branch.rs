@@ -1,5 +1,6 @@
 //! Assemblies over the range of an input, as they are reported.
 
+use crate::error::GroupRef;
 use alloc::vec::Vec;
 use linkage_core::Cycle;
 
@@ -16,6 +17,22 @@ pub struct Circuits<A> {
     pub branches: Vec<Branch<A>>,
     /// The pairs of assemblies that meet in change points.
     pub meetings: Vec<Meeting>,
+    /// The assemblies of first groups with which a later one is at a dead point throughout.
+    pub undetermined: Vec<Undetermined>,
+}
+
+/// Assemblies that are no branches: a group is at a dead point over a part of the range, because its
+/// links lie on each other or in one line, and rounding alone would decide their position.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Undetermined {
+    /// The group.
+    pub group: GroupRef,
+    /// Both ends of that part.
+    pub ends: [f64; 2],
+    /// The input at which `unknowns` are: the reference if it is in that part.
+    pub input: f64,
+    /// The values of the unknowns of the groups before.
+    pub unknowns: Vec<Estimate>,
 }
 
 /// Two assemblies that meet, and both go on: from a change point the mechanism can go on in either.

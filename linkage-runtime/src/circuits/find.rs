@@ -29,6 +29,7 @@ pub fn circuits<M: Levels>(
 ) -> Result<Circuits<M::Assembly>, AssemblyError> {
     let LevelSearch {
         mut leaves,
+        undetermined,
         mut error,
         ..
     } = LevelSearch::run(mechanism, *cycle)?;
@@ -82,6 +83,7 @@ pub fn circuits<M: Levels>(
         input: mechanism.searched().input,
         branches: branches.collect(),
         meetings,
+        undetermined,
     })
 }
 

@@ -3,9 +3,11 @@
 
 use crate::data::AssemblyMode;
 use crate::error::AssemblyError;
+use crate::structure::Group;
 use crate::support::{Bounds, CoupledGroup, CoupledPrograms, InitialState, SurveyedUnknown};
 use alloc::vec::Vec;
 use linkage_core::Level;
+use linkage_core::range_check::Slack;
 
 /// The assemblies that have been chosen for the first groups.
 #[derive(Clone, Debug)]
@@ -27,6 +29,10 @@ pub struct Searched {
     pub reference: f64,
     /// The groups in order.
     pub levels: &'static [Level],
+    /// Their descriptions.
+    pub groups: &'static [Group],
+    /// The kinds of their slacks.
+    pub slacks: &'static [Slack],
     /// The unknowns in the order of their numbers in a survey.
     pub unknowns: &'static [SurveyedUnknown],
     /// The number of groups with modes.

@@ -52,6 +52,8 @@ impl<C: PlainGroups> Levels for CircuitLevels<'_, C> {
             input: description.inputs[0].name,
             reference: description.inputs[0].reference,
             levels: groups.levels,
+            groups: description.groups,
+            slacks: groups.slacks,
             unknowns: groups.unknowns,
             modes: description.modes.len(),
             coupled: groups.coupled.len(),

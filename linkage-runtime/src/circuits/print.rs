@@ -1,6 +1,6 @@
 //! Circuits as a table.
 
-use super::branch::{BranchEnd, Circuits, Estimate, Meeting};
+use super::branch::{BranchEnd, Circuits, Estimate, Meeting, Undetermined};
 use alloc::format;
 use alloc::string::{String, ToString};
 use alloc::vec;
@@ -11,7 +11,8 @@ use linkage_core::format::{rounded, settled};
 use linkage_core::range_check::listed;
 
 /// One line for each assembly; angles in degrees. Behind its ends and margin: an input, and the
-/// unknowns there. Then one for each pair that meets in change points.
+/// unknowns there. Then one for each pair that meets in change points, and for each group that is
+/// undetermined.
 impl<A> fmt::Display for Circuits<A> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let numbers: Vec<usize> = (1..=self.branches.len()).collect();
@@ -81,7 +82,36 @@ impl<A> Circuits<A> {
             text += &self.meeting(meeting, numbers, &circuit);
             text.push('\n');
         }
+        for found in &self.undetermined {
+            text += &self.without_position(found);
+            text.push('\n');
+        }
         text
+    }
+
+    /// ``undetermined from 10 deg to 70 deg, where x = 0mm at phi = 40 deg: joint `f` of `four` ``
+    fn without_position(&self, found: &Undetermined) -> String {
+        let Undetermined {
+            group,
+            ends,
+            input: known,
+            unknowns,
+        } = found;
+        let [from, to] = ends.map(|x| input(&self.cycle, x, ROUNDOFF));
+        let known = input(&self.cycle, *known, ROUNDOFF);
+        let unknowns: Vec<String> = unknowns.iter().map(Estimate::to_string).collect();
+        let before = match &unknowns[..] {
+            [] => String::new(),
+            known_before => format!(
+                ", where {} at {} = {known}",
+                listed(known_before),
+                self.input
+            ),
+        };
+        format!(
+            "undetermined from {from} to {to}{before}: {}, whose links lie on each other or in one line throughout",
+            group.alone()
+        )
     }
 
     /// `circuits 1 and 2 meet at phi = 0 deg and 180 deg (change points): assemblies 1 and 2`

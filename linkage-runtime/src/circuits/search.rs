@@ -1,10 +1,12 @@
 //! Group after group: where it can be assembled given the groups before it, and in which ways.
 
+use super::branch::Undetermined;
 use super::coupled::{self, Followed};
 use super::leaf::{End, GroupAssembly, Leaf};
 use super::levels::{Chosen, Levels, Searched};
 use super::stretches::{Border, Slack, stretches};
 use super::trace::CurveEnd;
+use super::undetermined::{self, is_folded};
 use crate::data::AssemblyMode;
 use crate::error::AssemblyError;
 use crate::support::{CoupledGroup, CoupledPrograms, InitialState, prepared};
@@ -30,6 +32,7 @@ pub(super) struct LevelSearch<'a, M> {
     searched: Searched,
     pub(super) cycle: Cycle,
     pub(super) leaves: Vec<Leaf>,
+    pub(super) undetermined: Vec<Undetermined>,
     pub(super) error: Option<AssemblyError>,
     turning: usize,
 }
@@ -49,6 +52,7 @@ impl<'a, M: Levels> LevelSearch<'a, M> {
             searched,
             cycle,
             leaves: Vec::new(),
+            undetermined: Vec::new(),
             error: None,
             turning: 0,
         };
@@ -99,6 +103,12 @@ impl<'a, M: Levels> LevelSearch<'a, M> {
             single: mode.is_none(),
             served: before.known.is_none(),
         };
+        let kind = self.searched.slacks.get(group);
+        if mode.is_some() && is_folded(kind, &slab, samples, &at) {
+            let found = undetermined::described(mechanism, &surveyor, group, before);
+            self.undetermined.push(found);
+            return;
+        }
         for borders in stretches(&slab, samples, &slack) {
             let mut next = before.clone();
             for (side, border) in borders.into_iter().enumerate() {

@@ -24,6 +24,7 @@ pub(crate) const LARGEST: f64 = 1e154;
 ///         index: 0,
 ///         kind: "RRR",
 ///         loops: &[1],
+///         joints: "",
 ///         unknowns: &["theta", "psi"],
 ///     },
 ///     miss: 12.5,

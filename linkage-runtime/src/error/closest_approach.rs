@@ -1,8 +1,10 @@
 //! Closest approach of loops that are not reached from their estimates.
 
+use alloc::string::String;
 use alloc::vec::Vec;
 use core::fmt;
 use linkage_core::format::{printed, rounded};
+use linkage_core::range_check::joints_or_loops;
 
 /// Closest approach of a group that is not reached from its estimates.
 #[derive(Clone, Debug, PartialEq)]
@@ -27,6 +29,8 @@ pub enum ClosestApproach {
 pub struct Missed {
     /// Its number, the first loop of the mechanism being 1.
     pub number: usize,
+    /// The joint or link that it stands for; empty for a loop as it is written.
+    pub joint: &'static str,
     /// Its left side without the right one; of vectors the length of that.
     pub by: f64,
     /// Its unit; empty for a number.
@@ -45,7 +49,7 @@ impl fmt::Display for ClosestApproach {
                 for (index, missing) in missed.iter().take(TOLD).enumerate() {
                     match index {
                         0 => write!(f, "{missing}")?,
-                        _ => write!(f, ", loop {} by {}", missing.number, missing.amount())?,
+                        _ => write!(f, ", {} by {}", missing.name(), missing.amount())?,
                     }
                 }
                 if missed.len() > TOLD {
@@ -68,6 +72,10 @@ impl fmt::Display for ClosestApproach {
 }
 
 impl Missed {
+    fn name(&self) -> String {
+        joints_or_loops(self.joint, &[self.number])
+    }
+
     fn amount(&self) -> impl fmt::Display {
         let gap = if self.unit.is_empty() { "" } else { " " };
         let (by, unit) = (self.by, self.unit);
@@ -77,7 +85,7 @@ impl Missed {
 
 impl fmt::Display for Missed {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "loop {} misses by {}", self.number, self.amount())
+        write!(f, "{} misses by {}", self.name(), self.amount())
     }
 }
 
@@ -89,15 +97,23 @@ mod tests {
     use alloc::vec::Vec;
 
     fn missed(number: usize, by: f64, unit: &'static str) -> Missed {
-        Missed { number, by, unit }
+        Missed {
+            number,
+            joint: "",
+            by,
+            unit,
+        }
     }
 
     #[test]
     fn what_misses_is_told_with_its_unit() {
-        let closest_approach =
-            ClosestApproach::Misses(vec![missed(5, 60.1, "mm"), missed(2, -0.02, "")]);
+        let linked = Missed {
+            joint: "joint `c` of `rocker`",
+            ..missed(5, 60.1, "mm")
+        };
+        let closest_approach = ClosestApproach::Misses(vec![linked, missed(2, -0.02, "")]);
         let text = closest_approach.to_string();
-        let expected = "from there, loop 5 misses by 60.1 mm, loop 2 by -0.02: there the links do not reach each other";
+        let expected = "from there, joint `c` of `rocker` misses by 60.1 mm, loop 2 by -0.02: there the links do not reach each other";
         assert!(text.contains(expected), "{text}");
     }
 

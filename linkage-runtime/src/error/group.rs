@@ -2,12 +2,12 @@
 
 use crate::structure::Group;
 use core::fmt;
-use linkage_core::format::{join, numbers};
+use linkage_core::format::{join, numbers, printed};
 
 /// A group of a mechanism, as errors name it.
 ///
 /// Printed, it is `CrankRocker: loop 1 (theta, psi; RRR)`; a group without loops is named by its
-/// number.
+/// number, and a group of joints and links by these.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct GroupRef {
     /// Name of the mechanism.
@@ -18,6 +18,8 @@ pub struct GroupRef {
     pub kind: &'static str,
     /// Its loops, the first loop of the mechanism being 1.
     pub loops: &'static [usize],
+    /// The joints and links that its loops stand for, empty for loops as they are written.
+    pub joints: &'static str,
     /// Its unknowns.
     pub unknowns: &'static [&'static str],
 }
@@ -30,25 +32,33 @@ impl GroupRef {
             index,
             kind: group.kind,
             loops: group.loops,
+            joints: group.joints,
             unknowns: group.unknowns,
         }
     }
 }
 
-impl fmt::Display for GroupRef {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+impl GroupRef {
+    /// The group without its mechanism: `loop 1 (theta, psi; RRR)`.
+    pub(crate) fn alone(&self) -> impl fmt::Display {
+        let group = *self;
+        printed(move |f| group.write_alone(f))
+    }
+
+    fn write_alone(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let Self {
-            mechanism,
+            mechanism: _,
             index,
             kind,
             loops,
+            joints,
             unknowns,
         } = self;
-        write!(f, "{mechanism}: ")?;
-        match loops {
-            [] => write!(f, "group {}", index + 1)?,
-            [only] => write!(f, "loop {only}")?,
-            [first @ .., last] => write!(f, "loops {} and {last}", numbers(first, ", "))?,
+        match (*joints, loops) {
+            ("", []) => write!(f, "group {}", index + 1)?,
+            ("", [only]) => write!(f, "loop {only}")?,
+            ("", [first @ .., last]) => write!(f, "loops {} and {last}", numbers(first, ", "))?,
+            (joints, _) => f.write_str(joints)?,
         }
         let separator = if unknowns.is_empty() || kind.is_empty() {
             ""
@@ -59,5 +69,12 @@ impl fmt::Display for GroupRef {
             ([], "") => Ok(()),
             _ => write!(f, " ({}{separator}{kind})", join(unknowns, ", ")),
         }
+    }
+}
+
+impl fmt::Display for GroupRef {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{}: ", self.mechanism)?;
+        self.write_alone(f)
     }
 }

@@ -17,6 +17,7 @@ use linkage_core::format::rounded;
 ///         index: 0,
 ///         kind: "9 loops in space",
 ///         loops: &[1, 2, 3],
+///         joints: "",
 ///         unknowns: &["p", "x", "y"],
 ///     },
 ///     share: 0.25,

@@ -18,6 +18,7 @@ use linkage_core::numeric::roots::Unlisted;
 ///         index: 0,
 ///         kind: "RR-RR-RR",
 ///         loops: &[1, 2],
+///         joints: "",
 ///         unknowns: &["alpha", "beta"],
 ///     },
 ///     cause: CoupledCause::NoneReal { complex: 6 },

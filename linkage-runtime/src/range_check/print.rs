@@ -2,14 +2,13 @@
 
 use super::{RangeFinding, RangeFindingKind, RangeReport};
 use crate::data::Input;
-use crate::structure::Group;
 use alloc::format;
 use alloc::string::{String, ToString};
 use alloc::vec::Vec;
 use core::fmt;
 use linkage_core::range_check::{
-    Comes, PASSES_HELP, Reaches, listed, loop_list, not_finite, passes, position_as_written,
-    rounded_inwards, rounded_to, significant, with_apostrophes,
+    Comes, PASSES_HELP, Reaches, listed, not_finite, passes, position_as_written, rounded_inwards,
+    rounded_to, significant, with_apostrophes,
 };
 
 /// A message of the check of a range.
@@ -19,6 +18,12 @@ pub struct RangeMessage {
     pub fact: String,
     /// The advice.
     pub help: String,
+}
+
+/// A stretch of the input that works, and the part of it within the range.
+struct Works {
+    stretch: [String; 2],
+    range: [String; 2],
 }
 
 impl RangeReport {
@@ -48,14 +53,12 @@ impl RangeReport {
 
     fn message(&self, input: &Input, alike: &[&RangeFinding]) -> RangeMessage {
         let finding = alike[0];
-        let Group {
-            loops, unknowns, ..
-        } = self.groups[finding.group];
-        let unknowns = with_apostrophes(unknowns);
-        let loop_list = loop_list(loops);
+        let group = &self.groups[finding.group];
+        let loops = group.loop_names();
+        let unknowns = with_apostrophes(group.unknowns);
         let group = Comes {
-            loops: &loop_list,
-            several: loops.len() != 1,
+            loops: &loops,
+            several: group.loops.len() != 1,
             unknowns: &unknowns,
         };
         let angle = input.unit == "rad";
@@ -70,7 +73,11 @@ impl RangeReport {
         let positions = listed(&positions);
         let change = finding.kind == RangeFindingKind::ChangePoint;
         if finding.kind == RangeFindingKind::Undefined {
-            let [fact, help] = not_finite(group, &positions, "");
+            let range = input.range.map(|_| self.works_within(input).range);
+            let ends = range
+                .as_ref()
+                .map(|ends| ends.each_ref().map(String::as_str));
+            let [fact, help] = not_finite(group, &positions, "", ends);
             return RangeMessage { fact, help };
         }
         if input.range.is_none() {
@@ -89,21 +96,29 @@ impl RangeReport {
             ),
             _ => format!(", beyond which it misses by up to {miss}{unit}"),
         };
-        let ([low, high], step) = rounded_inwards(self.works, input.reference, self.range, angle);
-        let show = |x: f64| rounded_to(x, step, angle, input.unit);
-        let works = [low, high].map(show);
-        let range = [low.max(self.range[0]), high.min(self.range[1])].map(show);
+        let Works { stretch, range } = self.works_within(input);
         let reaches = Reaches {
             group,
             change,
             position: &positions,
             picture: &picture,
-            works: works.each_ref().map(String::as_str),
+            works: stretch.each_ref().map(String::as_str),
             range: range.each_ref().map(String::as_str),
         };
         RangeMessage {
             fact: reaches.fact(),
             help: reaches.help(),
+        }
+    }
+
+    /// Returns the stretch around the reference that works.
+    fn works_within(&self, input: &Input) -> Works {
+        let angle = input.unit == "rad";
+        let ([low, high], step) = rounded_inwards(self.works, input.reference, self.range, angle);
+        let show = |x: f64| rounded_to(x, step, angle, input.unit);
+        Works {
+            stretch: [low, high].map(show),
+            range: [low.max(self.range[0]), high.min(self.range[1])].map(show),
         }
     }
 }

@@ -13,6 +13,7 @@ const GROUP: Group = Group {
     order: 2,
     kind: "RRR",
     loops: &[1],
+    joints: "",
     unknowns: &["theta", "psi"],
     mode: Some(0),
     method: "",
@@ -34,6 +35,7 @@ fn report(
         GROUP,
         Group {
             loops: &[2],
+            joints: "joint `c` of `rocker`",
             unknowns: &["chi"],
             ..GROUP
         },
@@ -114,6 +116,17 @@ fn a_gap_has_both_ends_and_the_largest_miss() {
     assert!(text.contains(part), "{text}");
 }
 
+/// Of a text with joints and links, the joint is named.
+#[test]
+fn a_gap_names_its_joint() {
+    let found = report(&[INPUT], &[Slack::Number, Slack::Number], &|x| {
+        Vec::from([1.0, 0.6 + x.cos()])
+    });
+    let text = found.to_string();
+    let part = "apart in this range: joint `c` of `rocker` (`chi`) reaches a dead point";
+    assert!(text.contains(part), "{text}");
+}
+
 #[test]
 fn narrow_gaps_and_hills_between_samples_are_found() {
     // A tenth of a sample wide.
@@ -152,6 +165,9 @@ fn a_group_is_not_blamed_for_one_before_it() {
     let found = report(&[INPUT], &[Slack::Number; 2], &|x| {
         Vec::from([1.0, if x > 4.0 { f64::NAN } else { 1.0 }])
     });
+    let text = found.to_string();
+    let help = "help: write `in 0deg..229.18deg`, or change what is not a finite number";
+    assert!(text.contains(help), "{text}");
     let found: Vec<_> = found
         .findings
         .iter()

@@ -1,9 +1,10 @@
 //! Assemblies over the range of an input.
 
+use linkage_core::range_check::Slack;
 use linkage_runtime::support::{
     Chosen, Level, Levels, NoPrograms, Searched, SurveyedUnknown, circuits,
 };
-use linkage_runtime::{AssemblyError, AssemblyMode, BranchEnd, Circuits, Cycle};
+use linkage_runtime::{AssemblyError, AssemblyMode, BranchEnd, Circuits, Cycle, Group};
 use std::f64::consts::{PI, TAU};
 
 const TURN: Cycle = Cycle {
@@ -11,6 +12,17 @@ const TURN: Cycle = Cycle {
     high: TAU,
     angle: true,
     samples: 73,
+};
+
+const GROUP: Group = Group {
+    class: 2,
+    order: 2,
+    kind: "RRR",
+    loops: &[1],
+    joints: "joint `c` of `rocker`",
+    unknowns: &["joint"],
+    mode: Some(0),
+    method: "",
 };
 
 /// A four-bar of crank, coupler, rocker and frame, as generated code would describe it.
@@ -29,7 +41,7 @@ impl FourBar {
         let at = |a: usize, b: usize, sign: f64| (foot * c[a] + sign * mode * area * c[b]) / square;
         [
             area / (coupler * rocker),
-            slack,
+            slack / (coupler * rocker).powi(2),
             at(0, 1, -1.0),
             at(1, 0, 1.0),
         ]
@@ -47,6 +59,8 @@ impl Levels for FourBar {
             input: "phi",
             reference: 0.5,
             levels: &[Level::Modes(0)],
+            groups: &[GROUP],
+            slacks: &[Slack::Number],
             unknowns: &[SurveyedUnknown {
                 name: "joint",
                 unit: "mm",
@@ -81,6 +95,18 @@ impl Levels for FourBar {
 
 fn search(lengths: [f64; 4], cycle: &Cycle) -> Circuits<(FourBar, f64)> {
     circuits(&FourBar(lengths), cycle).expect("a list")
+}
+
+/// Two links of one length on one pivot can turn together: no assembly is listed.
+#[test]
+fn links_that_lie_on_each_other_are_undetermined() {
+    let found = search([1e-9, 80.0, 80.0, 1e-9], &TURN);
+    assert!(found.branches.is_empty() && found.meetings.is_empty());
+    let text = found.to_string();
+    let expected = "\nundetermined from 0 deg to 360 deg: joint `c` of `rocker` (joint; RRR), whose links lie on each other";
+    assert!(text.contains(expected), "{text}");
+    // A drawing that is a little off has two assemblies.
+    assert_eq!(search([1e-3, 80.0, 80.0, 1e-4], &TURN).branches.len(), 2);
 }
 
 #[test]

@@ -7,7 +7,7 @@ use linkage_runtime::support::{
     Coupled, CoupledGroup, CoupledInput, CoupledPrograms, CoupledUnknown, InitialState, Which,
     initial_states, list_solutions, nearest_solution,
 };
-use linkage_runtime::{AssemblyError, CoupledCause, FUSED, Scalar};
+use linkage_runtime::{AssemblyError, CoupledCause, FUSED, Group, Scalar};
 use std::f64::consts::TAU;
 
 const fn term(equation: usize, exponents: &'static [i8]) -> Term<'static> {
@@ -48,9 +48,16 @@ const fn unknown(name: &'static str, estimate: f64) -> CoupledUnknown {
 const GROUP: CoupledGroup = CoupledGroup {
     mechanism: "EyeNeedle",
     group: 0,
-    kind: "RR-RR-RR",
-    loops: &[1, 2],
-    names: &["leg", "link", "rocker", "arm"],
+    described: &Group {
+        class: 3,
+        order: 3,
+        kind: "RR-RR-RR",
+        loops: &[1, 2],
+        joints: "",
+        unknowns: &["leg", "link", "rocker", "arm"],
+        mode: None,
+        method: "",
+    },
     unknowns: &[unknown("leg", 1.1), unknown("link", 2.5 + TAU)],
     variables: &[Variable::Unit, Variable::Unit],
     terms: &TERMS,

@@ -11,13 +11,9 @@ use linkage_compiler::ir::{CompiledMechanism, Coupled, ShownNumber};
 
 /// The runtime's description of a group.
 pub(super) fn literal(outline: &Outline, unit: &CompiledMechanism, group: &Coupled) -> TokenStream {
-    let runtime = &outline.runtime;
+    let Outline { runtime, name, .. } = outline;
     let title = outline.title();
-    let solved = &unit.groups[group.group];
     let index = literal::index(group.group);
-    let kind = &solved.kind;
-    let loops = solved.loops.iter().map(|n| literal::index(*n));
-    let names = &solved.unknowns;
     let unknowns = group.unknowns.iter().map(|placed| {
         let ShownNumber { name, unit, scale } = unit.shown(placed);
         let estimate = literal::float(placed.estimate);
@@ -41,8 +37,11 @@ pub(super) fn literal(outline: &Outline, unit: &CompiledMechanism, group: &Coupl
     });
     let missed = group.missed_loops.iter().map(|missed| {
         let [number, rows] = [missed.number, missed.rows].map(literal::index);
-        let (unit, scale) = (&missed.unit, literal::float(missed.scale));
-        quote!(#runtime::CoupledLoop { number: #number, rows: #rows, unit: #unit, scale: #scale })
+        let (joint, unit) = (&missed.joint, &missed.unit);
+        let scale = literal::float(missed.scale);
+        quote! {
+            #runtime::CoupledLoop { number: #number, joint: #joint, rows: #rows, unit: #unit, scale: #scale }
+        }
     });
     let inputs = group.inputs.iter().map(|&input| {
         let described = &unit.inputs[input];
@@ -67,9 +66,7 @@ pub(super) fn literal(outline: &Outline, unit: &CompiledMechanism, group: &Coupl
         #runtime::CoupledGroup {
             mechanism: #title,
             group: #index,
-            kind: #kind,
-            loops: &[#(#loops),*],
-            names: &[#(#names),*],
+            described: &#name::<__p::f64>::STRUCTURE.groups[#index],
             unknowns: &[#(#unknowns),*],
             variables: &[#(#variables),*],
             terms: &[#(#terms),*],

@@ -318,6 +318,7 @@ fn unit() -> CompiledMechanism {
             order: 2,
             kind: "RRP".to_owned(),
             loops: vec![1],
+            joints: String::new(),
             unknowns: vec!["theta".to_owned()],
             mode: Some(0),
             coupled: false,

@@ -160,6 +160,7 @@ fn methods(assembly: &Ident, inputs: &[Ident]) -> TokenStream {
                     input: found.input,
                     branches: branches.collect(),
                     meetings: found.meetings,
+                    undetermined: found.undetermined,
                 })
             }
         }

@@ -186,6 +186,7 @@ const _: () = {
                     order: 2u8,
                     kind: "RRP",
                     loops: &[1],
+                    joints: "",
                     unknowns: &["theta", "slide"],
                     mode: __p::Some(0),
                     method: "intersection of a circle and a line, by the distance from the line",

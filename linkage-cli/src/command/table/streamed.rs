@@ -33,6 +33,8 @@ pub(super) struct Streamed<'a> {
     columns: Vec<Column<'a>>,
     /// At how many positions a number is not finite, of those that have been written.
     pub(super) missing: usize,
+    /// The arguments at the first of them.
+    pub(super) first_missing: Option<Vec<f64>>,
     /// The forces of the positions that have been written.
     unbounded: Unbounded,
 }
@@ -63,6 +65,7 @@ impl<'a> Streamed<'a> {
             along,
             columns: columns.collect(),
             missing: 0,
+            first_missing: None,
             unbounded: Unbounded::new(mechanism, function),
         }
     }
@@ -91,6 +94,7 @@ impl<'a> Streamed<'a> {
         let mut arguments = given.clone();
         let mut row = Vec::with_capacity(self.columns.len());
         self.missing = 0;
+        self.first_missing = None;
         self.unbounded = Unbounded::new(self.mechanism, self.function);
         for x in positions.iter() {
             row.clear();
@@ -99,7 +103,10 @@ impl<'a> Streamed<'a> {
                 row.push(x);
             }
             let results = self.assembly.call(self.function, &arguments);
-            self.missing += usize::from(!results.iter().all(|x| x.is_finite()));
+            if !results.iter().all(|x| x.is_finite()) {
+                self.missing += 1;
+                self.first_missing.get_or_insert_with(|| arguments.clone());
+            }
             self.unbounded.add(x, &results);
             row.extend(results);
             for (x, column) in row.iter_mut().zip(&self.columns) {

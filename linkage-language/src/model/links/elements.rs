@@ -1,4 +1,4 @@
-//! Links and pairs of wheels, which pictures show and descriptions of robots need.
+//! Links, straight slots and pairs of wheels, which pictures show and descriptions of robots need.
 
 use proc_macro2::Ident;
 
@@ -6,10 +6,11 @@ use super::drawing::Drawing;
 use super::linkage::{FRAME, Linkage, Wheels, is_spatial};
 use super::locations::{angle, is_cylinder, point};
 use super::rigid_bodies::Bodies;
+use super::slides::{slot_angle, start};
 use super::wheels;
-use crate::syntax::{LinkElements, PairOfWheels, PairedWheel, RigidLink};
+use crate::syntax::{LinkElements, PairOfWheels, PairedWheel, RigidLink, StraightSlot};
 
-/// Returns the rigid links and the pairs of wheels.
+/// Returns the rigid links, the straight slots and the pairs of wheels.
 pub(super) fn elements(linkage: &Linkage, bodies: &Bodies, drawing: &Drawing) -> LinkElements {
     if is_spatial(linkage) {
         let links = FRAME + 1..linkage.links.len();
@@ -17,14 +18,22 @@ pub(super) fn elements(linkage: &Linkage, bodies: &Bodies, drawing: &Drawing) ->
             .filter_map(|link| rigid_link(linkage, drawing, link, &linkage.links[link].joints));
         return LinkElements {
             links: rigid.collect(),
+            slots: Vec::new(),
             pairs: Vec::new(),
         };
     }
     let moving = bodies.list[FRAME + 1..].iter();
     let links = moving.filter_map(|body| rigid_link(linkage, drawing, body.lead(), &body.joints));
+    let slots = linkage.sliders.iter().map(|slider| StraightSlot {
+        name: slider.name.clone(),
+        slider: point(linkage, slider.pin),
+        start: start(linkage, slider),
+        angle: slot_angle(linkage, bodies, slider, drawing),
+    });
     let pairs = linkage.wheels.iter();
     LinkElements {
         links: links.collect(),
+        slots: slots.collect(),
         pairs: pairs
             .map(|pair| pair_of_wheels(linkage, bodies, pair))
             .collect(),

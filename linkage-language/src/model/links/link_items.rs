@@ -66,7 +66,7 @@ pub(super) fn items(
         write_step(&sheet, step, &mut items, diagnostics);
     }
     items.extend(wheels::items(&sheet));
-    items.extend(mechanics::items(definition, &sheet, diagnostics));
+    items.extend(mechanics::items(definition, &sheet));
     items.extend(curved_slots::items(&sheet));
     items
 }

@@ -2,28 +2,23 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use proc_macro2::Ident;
-
+use super::bodies_on_slots;
+use super::link_bodies::{body_item, body_name, end_of, rod_name, sliding_end};
 use super::linkage::{FRAME, Linkage, Slider};
-use super::locations::{angle, is_cylinder, point};
+use super::locations::{angle, point};
 use super::nodes::{call, ident};
 use super::order::Step;
 use super::rigid_bodies::Bodies;
 use super::sheet::Sheet;
 use super::slides::{guide, slot_angle};
-use crate::diagnostic::Diagnostics;
 use crate::model::types::{Function, MechanicsWord};
 use crate::syntax::{
-    Between, BodyItem, Expr, ExprKind, InertiaPart, Item, JointItem, JointKind, JointPart,
-    LinkedItem, MassPart, MechanismDef, Member, Word,
+    Between, BodyItem, Expr, ExprKind, Item, JointItem, JointKind, JointPart, LinkedItem,
+    MechanismDef, Member, Word,
 };
 
 /// Returns the bodies and joints of the mechanics, if the mechanism has masses, loads or forces.
-pub(super) fn items(
-    definition: &MechanismDef,
-    sheet: &Sheet,
-    diagnostics: &mut Diagnostics,
-) -> Vec<Item> {
+pub(super) fn items(definition: &MechanismDef, sheet: &Sheet) -> Vec<Item> {
     if !has_forces(definition) {
         return Vec::new();
     }
@@ -39,15 +34,14 @@ pub(super) fn items(
             } => items.extend(body_items(sheet, *body, *from, &mut taken)),
             Step::Reach {
                 body,
+                from,
                 slot: Some(slider),
                 ..
             } => {
-                let name = body_name(sheet, *body);
-                let slider = &sheet.linkage.sliders[*slider].name;
-                let fact = format!("the link `{name}` hangs on nothing but its slot `{slider}`");
-                let help = "forces need a pin or a block on it: write the mechanism with loops and \
-                            bodies, or let the link with the pins slide on this one";
-                diagnostics.error_with_help(name.into(), fact, help);
+                let slider = &sheet.linkage.sliders[*slider];
+                items.extend(bodies_on_slots::items(
+                    sheet, *body, *from, slider, &mut taken,
+                ));
             }
             Step::Close { body, joint, .. } => {
                 let end = end_of(sheet, *body, *joint);
@@ -63,11 +57,13 @@ pub(super) fn items(
                     Some(link) => sheet.bodies.of_link[link],
                     None => sheet.plan.seats[slider.pin].unwrap_or(FRAME),
                 };
-                let joint = JointItem {
-                    body: Member::from(&end_of(sheet, holder, slider.pin)),
-                    joint: slot_joint(sheet, slider, &mut taken),
-                };
-                items.push(Item::Joint(joint));
+                let mut body = Member::from(&end_of(sheet, holder, slider.pin));
+                let mut joint = slot_joint(sheet, slider, &mut taken);
+                // The first body of a joint moves: of a pin of the frame it is that with the slot.
+                if holder == FRAME {
+                    std::mem::swap(&mut body, &mut joint.on);
+                }
+                items.push(Item::Joint(JointItem { body, joint }));
             }
             // The body that begins at this pin has the joint.
             Step::PlacePin { .. } => {}
@@ -115,15 +111,10 @@ fn calls_mechanics(expr: &Expr) -> bool {
     is_asked || expr.operands().into_iter().any(calls_mechanics)
 }
 
-fn body_name<'s>(sheet: &'s Sheet, body: usize) -> &'s Ident {
-    &sheet.linkage.links[sheet.bodies.list[body].lead()].name
-}
-
 /// Returns a body that begins at a joint; of a link whose length changes, the other end slides in
 /// the first one.
 fn body_items(sheet: &Sheet, body: usize, from: usize, taken: &mut BTreeSet<String>) -> Vec<Item> {
     let name = body_name(sheet, body).clone();
-    let lead = sheet.bodies.list[body].lead();
     let sliders = sheet.linkage.sliders.iter();
     let joint = match sheet.plan.seats[from] {
         Some(seat) if seat != body => pin(sheet, from, body, taken),
@@ -135,20 +126,9 @@ fn body_items(sheet: &Sheet, body: usize, from: usize, taken: &mut BTreeSet<Stri
             slot_joint(sheet, slider, taken)
         }
     };
-    let links = || {
-        let links = sheet.bodies.list[body].links.iter();
-        links.map(|link| &sheet.linkage.links[*link])
-    };
-    let masses = links().flat_map(|link| link.masses).map(copy_mass);
-    let inertias = links().flat_map(|link| link.inertias).map(copy_inertia);
-    let mut items = vec![Item::Body(BodyItem {
-        name: name.clone(),
-        joint,
-        turns: Some(angle(sheet.linkage, lead)),
-        masses: masses.collect(),
-        inertias: inertias.collect(),
-    })];
+    let mut items = vec![body_item(sheet, body, joint)];
     if let Some(end) = sliding_end(sheet, body, from) {
+        let lead = sheet.bodies.list[body].lead();
         let direction = call(Function::Dir, vec![angle(sheet.linkage, lead)]);
         items.push(Item::Body(BodyItem {
             name: rod_name(&name),
@@ -166,52 +146,6 @@ fn body_items(sheet: &Sheet, body: usize, from: usize, taken: &mut BTreeSet<Stri
         }));
     }
     items
-}
-
-fn copy_mass(part: &MassPart) -> MassPart {
-    MassPart {
-        mass: part.mass.clone(),
-        at: part.at.clone(),
-    }
-}
-
-fn copy_inertia(part: &InertiaPart) -> InertiaPart {
-    InertiaPart {
-        inertia: part.inertia.clone(),
-        at: part.at.clone(),
-    }
-}
-
-/// Returns the joint at which a cylinder ends, if the body is one.
-fn sliding_end(sheet: &Sheet, body: usize, from: usize) -> Option<usize> {
-    let link = &sheet.linkage.links[sheet.bodies.list[body].lead()];
-    let [first, second] = sheet.bodies.list[body].joints[..] else {
-        return None;
-    };
-    let end = if from == first { second } else { first };
-    is_cylinder(link, sheet.drawing).then_some(end)
-}
-
-/// Returns the body that a joint of a body is fixed on: the rod, if the body is a cylinder.
-fn end_of(sheet: &Sheet, body: usize, joint: usize) -> Ident {
-    let mut steps = sheet.plan.steps.iter();
-    let from = steps.find_map(|step| match step {
-        Step::Reach {
-            body: reached,
-            from,
-            ..
-        } if *reached == body => Some(*from),
-        _ => None,
-    });
-    let name = body_name(sheet, body).clone();
-    match from.and_then(|from| sliding_end(sheet, body, from)) {
-        Some(end) if end == joint => rod_name(&name),
-        _ => name,
-    }
-}
-
-fn rod_name(cylinder: &Ident) -> Ident {
-    ident(&format!("{cylinder}_rod"), cylinder.span())
 }
 
 /// Returns a pin in a joint, on the body that gave the joint its position.

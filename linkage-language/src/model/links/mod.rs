@@ -6,6 +6,7 @@
 //! which joint each body is reached and where loops close, and `link_items` writes the items.
 
 mod ball_links;
+mod bodies_on_slots;
 mod collect;
 mod collect_sliders;
 mod curved_slots;
@@ -15,6 +16,7 @@ mod driven_angles;
 mod elements;
 mod frame_faults;
 mod inventory;
+mod link_bodies;
 mod link_items;
 mod linkage;
 mod locations;

@@ -22,7 +22,7 @@ pub(super) fn start_joint(slider: &Slider) -> Option<usize> {
 }
 
 /// Returns the point that positions are measured from.
-fn start(linkage: &Linkage, slider: &Slider) -> Expr {
+pub(super) fn start(linkage: &Linkage, slider: &Slider) -> Expr {
     match start_joint(slider) {
         Some(joint) => point(linkage, joint),
         None => quantity(&slider.name, &ident("start", slider.name.span())),

@@ -3,7 +3,7 @@
 use super::embed::Embedding;
 use crate::model::types::{
     Arc, Between, Body, Element, Expr, Inertia, Joint, LinkElements, Load, PairOfWheels,
-    PairedWheel, RigidLink,
+    PairedWheel, RigidLink, StraightSlot,
 };
 
 /// Numbers of bodies and joints of a part in the mechanism around it.
@@ -106,6 +106,12 @@ impl Embedding<'_> {
             name: self.text(&link.name),
             joints: link.joints.iter().map(|joint| self.point(joint)).collect(),
         });
+        let slots = elements.slots.iter().map(|slot| StraightSlot {
+            name: self.text(&slot.name),
+            slider: self.point(&slot.slider),
+            start: self.point(&slot.start),
+            direction: self.vector(&slot.direction),
+        });
         let wheel = |wheel: &PairedWheel| PairedWheel {
             centre: self.point(&wheel.centre),
             direction: wheel.direction.as_ref().map(|vector| self.vector(vector)),
@@ -116,6 +122,7 @@ impl Embedding<'_> {
         });
         LinkElements {
             links: links.collect(),
+            slots: slots.collect(),
             pairs: pairs.collect(),
         }
     }

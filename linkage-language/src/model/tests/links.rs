@@ -417,3 +417,36 @@ fn curved_slots_turn_with_their_links() {
     let joined = "link arm: c, p; slider s: p on frame around c;";
     assert_eq!(arcs(joined), Vec::<String>::new());
 }
+
+/// A link that its slot alone holds slides on a block: one that turns on the pin, or the link after
+/// `block`.
+#[test]
+fn links_that_slots_hold_slide_on_blocks() {
+    const JOINTS: &str = "unit mm; input phi = 60deg; joint o = (0mm, 0mm), a = (10mm, 17.3mm), \
+        q = (60mm, 17.3mm), m = (20mm, 17.3mm), e = (90mm, 17.3mm), f = (20mm, 90mm); \
+        link frame: o, q; link crank: o, a at phi; link plate: m, e, f mass 2kg at e;";
+    let mechanics = |items: &str| -> Vec<String> {
+        let (text, messages) = expanded(&format!("struct M {{ {JOINTS} {items} }}"));
+        assert_eq!(messages, Vec::<String>::new());
+        let lines = text.lines().map(str::trim);
+        let kinds = ["body plate", "body s_block", "roller", "slide"];
+        let found = lines.filter(|line| kinds.iter().any(|kind| line.starts_with(kind)));
+        found.map(str::to_owned).collect()
+    };
+    let pin = mechanics("slider s: a on plate along m, e; slider t: q on plate along m, e;");
+    let block = mechanics("slider s: a on plate along m, e, block crank;");
+    assert_eq!(
+        pin,
+        [
+            "body s_block = pin s on crank at a, turns plate.angle",
+            "body plate = slide on s_block at m along dir(plate.angle), turns plate.angle, mass 2kg at e",
+            "roller t = plate on frame at q along dir(plate.angle)",
+        ]
+    );
+    assert_eq!(
+        block,
+        [
+            "body plate = slide s on crank at m along dir(plate.angle), turns plate.angle, mass 2kg at e"
+        ]
+    );
+}

@@ -1,11 +1,12 @@
-//! Links and wheels as pictures show them.
+//! Links, slots and wheels as pictures show them.
 
 use super::expression::Expr;
 
-/// The links and pairs of wheels of a mechanism that is written with joints and links.
+/// The links, straight slots and pairs of wheels of a mechanism that is written with joints and links.
 #[derive(Clone, Debug, Default)]
 pub struct LinkElements {
     pub links: Vec<RigidLink>,
+    pub slots: Vec<StraightSlot>,
     pub pairs: Vec<PairOfWheels>,
 }
 
@@ -15,6 +16,18 @@ pub struct RigidLink {
     pub name: String,
     /// Points: at least two.
     pub joints: Vec<Expr>,
+}
+
+/// A straight slot in the plane.
+#[derive(Clone, Debug)]
+pub struct StraightSlot {
+    pub name: String,
+    /// The point in the slot.
+    pub slider: Expr,
+    /// A point of its line, on the link that has the slot.
+    pub start: Expr,
+    /// A unit vector along the slot, which turns with that link.
+    pub direction: Expr,
 }
 
 /// Two wheels of the plane that turn each other.
@@ -34,9 +47,10 @@ pub struct PairedWheel {
 }
 
 impl LinkElements {
-    /// Adds the links and wheels of another mechanism.
+    /// Adds the links, slots and wheels of another mechanism.
     pub fn append(&mut self, other: Self) {
         self.links.extend(other.links);
+        self.slots.extend(other.slots);
         self.pairs.extend(other.pairs);
     }
 }

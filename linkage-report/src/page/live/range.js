@@ -9,11 +9,12 @@ const SAMPLES = 256;
 // A sentence for each group that has some; null where there is none.
 function changePointWords() {
   const told = engine.programs.flatMap((unit, number) =>
-    unit.groups.flatMap(({ loops, unknowns, slack }, group) => {
+    unit.groups.flatMap(({ loops, joints, unknowns, slack }, group) => {
       if (slack === "prepared" || slack === "signed") return [];
       const places = touches(number, group).map(inputShort);
       if (places.length === 0) return [];
-      const loop = `${loops.length === 1 ? "loop" : "loops"} ${loops.join(", ")} (${unknowns.join(", ")})`;
+      const numbers = `${loops.length === 1 ? "loop" : "loops"} ${loops.join(", ")}`;
+      const loop = `${joints || numbers} (${unknowns.join(", ")})`;
       return [`At ${input.name} = ${places.join(", ")} the mechanism passes through a change point: from there ${loop} can go on in another assembly.`];
     }));
   return told.length === 0 ? null : told.join(" ");

@@ -51,8 +51,8 @@ function amountOf(amount, unit) {
   return `${digits(rounded(amount, 3))} ${unit}`.trim();
 }
 
-function groupWords({ kind, unknowns, loops }) {
-  return `the ${kind} group of ${unknowns.join(", ")} (loop ${loops.join(", ")})`;
+function groupWords({ kind, unknowns, loops, joints }) {
+  return `the ${kind} group of ${unknowns.join(", ")} (${joints || `loop ${loops.join(", ")}`})`;
 }
 
 // Lengths with whose change the group would just close: changed ones before all others, then the

@@ -55,6 +55,7 @@ fn farthest_first(group: &CoupledGroup, shares: &[f64]) -> ClosestApproach {
         };
         let missed = Missed {
             number: group_loop.number,
+            joint: group_loop.joint,
             by: share * group_loop.scale,
             unit: group_loop.unit,
         };

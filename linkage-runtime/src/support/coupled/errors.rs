@@ -32,13 +32,7 @@ impl CoupledGroup {
     }
 
     fn reference(&self) -> GroupRef {
-        GroupRef {
-            mechanism: self.mechanism,
-            index: self.group,
-            kind: self.kind,
-            loops: self.loops,
-            unknowns: self.names,
-        }
+        GroupRef::new(self.mechanism, self.group, self.described)
     }
 
     pub(super) fn leaves_out(&self, left_out: &LeftOut) -> AssemblyError {

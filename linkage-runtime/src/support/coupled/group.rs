@@ -1,5 +1,6 @@
 //! Data of a coupled group in generated code.
 
+use crate::structure::Group;
 use alloc::vec::Vec;
 use linkage_core::numeric::continuation::{Range, Terms};
 use linkage_core::numeric::roots::{Term, Variable};
@@ -11,12 +12,8 @@ pub struct CoupledGroup {
     pub mechanism: &'static str,
     /// Index of the group in `STRUCTURE`.
     pub group: usize,
-    /// Its kind.
-    pub kind: &'static str,
-    /// Its loops, the first loop of the mechanism being 1.
-    pub loops: &'static [usize],
-    /// Its unknowns, for messages.
-    pub names: &'static [&'static str],
+    /// The group in `STRUCTURE`.
+    pub described: &'static Group,
     /// Its unknowns that have start estimates, in the order of
     /// [`CoupledPrograms::placed`](super::CoupledPrograms::placed).
     pub unknowns: &'static [CoupledUnknown],
@@ -76,6 +73,8 @@ pub struct CoupledUnknown {
 pub struct CoupledLoop {
     /// Its number, the first loop of the mechanism being 1.
     pub number: usize,
+    /// The joint or link that it stands for; empty for a loop as it is written.
+    pub joint: &'static str,
     /// The number of components of its sides.
     pub rows: usize,
     /// Its unit; empty for a number.

@@ -239,6 +239,7 @@ const STRUCTURE: Structure = Structure {
         order: 2,
         kind: "RRR",
         loops: &[1],
+        joints: "",
         unknowns: &["theta", "psi"],
         mode: Some(0),
         method: "intersection of two circles, root taken for the smaller one",
