@@ -85,16 +85,17 @@ impl Writer<'_, '_> {
             };
             let on = &self.wording.bodies[joint.parent];
             let pivot = &self.wording.pivots[index];
+            let name = self.wording.joint_name(index);
             let kind = match joint.motion {
                 Motion::Hinge(_) | Motion::Ball | Motion::Free => {
-                    format!("pin on {on} at {pivot}, turns {}", self.turn(index))
+                    format!("pin{name} on {on} at {pivot}, turns {}", self.turn(index))
                 }
                 Motion::Slide(axis) => {
                     let direction = self.wording.direction(&self.plane.coordinates(axis));
                     let along = self.turned(joint.parent, &direction);
-                    format!("slide on {on} at {pivot} along {along}")
+                    format!("slide{name} on {on} at {pivot} along {along}")
                 }
-                Motion::Fixed => format!("fixed on {on} at {pivot}"),
+                Motion::Fixed => format!("fixed{name} on {on} at {pivot}"),
             };
             let mut line = format!("body {} = {kind}", self.wording.bodies[index]);
             if let Some(mass) = body.mass() {

@@ -39,6 +39,7 @@ impl Writer<'_, '_> {
         let Some(joint) = &body.joint else { return };
         let on = self.wording.bodies[joint.parent].clone();
         let pivot = self.wording.pivots[index].clone();
+        let name = self.wording.joint_name(index);
         let mut line = format!("body {} = ", self.wording.bodies[index]);
         let mass = body.mass();
         if self.is_rod(index) {
@@ -56,14 +57,14 @@ impl Writer<'_, '_> {
         line += &match joint.motion {
             Motion::Hinge(axis) => {
                 let axis = self.direction(joint.parent, axis);
-                format!("pin on {on} at {pivot} about {axis}, turns {turns}")
+                format!("pin{name} on {on} at {pivot} about {axis}, turns {turns}")
             }
             Motion::Slide(axis) => {
                 let axis = self.direction(joint.parent, axis);
-                format!("slide on {on} at {pivot} along {axis}, turns {turns}")
+                format!("slide{name} on {on} at {pivot} along {axis}, turns {turns}")
             }
-            Motion::Fixed => format!("fixed on {on} at {pivot}, turns {turns}"),
-            Motion::Ball | Motion::Free => format!("ball on {on} at {pivot}, turns {turns}"),
+            Motion::Fixed => format!("fixed{name} on {on} at {pivot}, turns {turns}"),
+            Motion::Ball | Motion::Free => format!("ball{name} on {on} at {pivot}, turns {turns}"),
         };
         if let Some(mass) = mass {
             let centre = self.carried(index, mass.centre, "centre");
@@ -85,7 +86,8 @@ impl Writer<'_, '_> {
         at: Vector,
     ) -> String {
         let end = self.rod_ends[&index].clone();
-        let mut line = format!("ball on {on} at {pivot}, turns {end} - {pivot}");
+        let name = self.wording.joint_name(index);
+        let mut line = format!("ball{name} on {on} at {pivot}, turns {end} - {pivot}");
         let Some(mass) = mass else { return line };
         let mut rods = self.wording.chain.rods.iter();
         let rod = rods.find(|rod| rod.body == index);

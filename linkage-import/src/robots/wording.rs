@@ -99,6 +99,16 @@ impl<'c> Wording<'c> {
         }
     }
 
+    /// Returns the name of the joint that a body hangs on after a space; nothing if a body has this
+    /// name, since bodies and joints share a name space.
+    pub(super) fn joint_name(&self, body: usize) -> String {
+        let name = &self.joints[body];
+        match self.bodies.contains(name) {
+            true => String::new(),
+            false => format!(" {name}"),
+        }
+    }
+
     pub(super) fn body(&self, body: usize) -> &Body {
         &self.chain.robot.bodies[body]
     }
