@@ -78,7 +78,7 @@ use proc_macro2::{Ident, Span, TokenStream};
 use quote::quote;
 
 pub use diagnostic::text::{nearest, short_words, shortened};
-pub use diagnostic::{Message, SourceSpan, Suggestion};
+pub use diagnostic::{EditLocation, Message, SourceEdit, SourceSpan, Suggestion};
 pub use driver::{Analysed, Checked, Driver};
 #[doc(inline)]
 pub use linkage_core::range_check::length_as_written;

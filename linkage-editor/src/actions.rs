@@ -10,6 +10,7 @@ use crate::declaration::{Declaration, NameKind};
 use crate::diagnostics::{Diagnostic, Edit, Fix};
 use crate::document::Document;
 use crate::hints::solution;
+use crate::insertion::{insertion, item_at};
 use crate::lexer::Kind;
 use crate::loop_terms::missing_terms;
 use crate::outline::Outline;
@@ -81,34 +82,57 @@ fn declarations(document: &Document, diagnostic: &Diagnostic) -> Vec<Fix> {
     if is_used || is_member || is_of_language(word) || outline.find(word).is_some() {
         return Vec::new();
     }
-    // The message has a better advice, or the word is a function, a joint or that of an item.
+    // The word is a function, a joint or that of an item.
     let is_called = document.text[range.end..].trim_start().starts_with('(');
-    if !diagnostic.fixes.is_empty() || is_called || !is_value(document, outline, range.start) {
+    if is_called || !is_value(document, outline, range.start) {
         return Vec::new();
     }
-    let Some(location) = item_at(document, outline, range.start) else {
+    let Some(location) = item_before(document, outline, range.start) else {
         return Vec::new();
     };
-    let length = document.length_unit(outline);
     let declared = |item: String| Fix {
         title: format!("declare `{item}`"),
-        edits: vec![insertion(document, location, &format!("{item};"))],
+        edits: vec![insertion(&document.text, location, &format!("{item};"))],
     };
-    vec![
-        declared(format!("unknown {word} = 0deg")),
-        declared(format!("unknown {word} = 10{length}")),
-        declared(format!("param {word} = 10{length}")),
-    ]
+    let items = declaring(word, document.length_unit(outline), outline, diagnostic);
+    items.into_iter().map(declared).collect()
+}
+
+/// Returns the items that may declare a word of a message. The changes of the message are better
+/// advice, but a name that is near to that of a forgotten input is hardly meant.
+fn declaring(word: &str, length: &str, outline: &Outline, diagnostic: &Diagnostic) -> Vec<String> {
+    let has_input = outline
+        .names
+        .iter()
+        .any(|name| name.kind == NameKind::Input);
+    let mut edits = diagnostic.fixes.iter().flat_map(|fix| &fix.edits);
+    let is_declared = edits.any(|edit| edit.range.is_empty());
+    let mut items = Vec::new();
+    if !has_input && !is_declared {
+        items.push(format!("input {word} = 0deg in 0deg..360deg"));
+    }
+    if diagnostic.fixes.is_empty() {
+        items.extend([
+            format!("unknown {word} = 0deg"),
+            format!("unknown {word} = 10{length}"),
+            format!("param {word} = 10{length}"),
+        ]);
+    }
+    items
 }
 
 /// Returns false at the beginning of an item, and for a joint of a link.
 fn is_value(document: &Document, outline: &Outline, offset: usize) -> bool {
-    let Some(item) = item_at(document, outline, offset).filter(|item| *item <= offset) else {
+    let Some(item) = item_before(document, outline, offset).filter(|item| *item <= offset) else {
         return true;
     };
     let before = document.text[item..offset].trim_end();
     let is_joint = before.starts_with("link ") && before.ends_with([':', ',']);
     !before.is_empty() && !is_joint
+}
+
+fn item_before(document: &Document, outline: &Outline, offset: usize) -> Option<usize> {
+    item_at(&document.text, &document.tokens, outline, offset)
 }
 
 /// Returns true for a word that has a meaning without a declaration.
@@ -117,31 +141,6 @@ fn is_of_language(word: &str) -> bool {
         || plain_word(word, None).is_some()
         || is_unit(word)
         || word == "PI"
-}
-
-/// Returns the byte before which an item is inserted: that of the item of the struct block around a
-/// byte, or of its last one.
-fn item_at(document: &Document, outline: &Outline, offset: usize) -> Option<usize> {
-    let items = crate::statements::statements(&document.text, &document.tokens, &outline.body, ';');
-    let around = items
-        .iter()
-        .find(|item| item.start <= offset && offset <= item.end);
-    Some(around.or(items.last())?.start)
-}
-
-/// Writes an item on a line before the item that begins at a byte.
-fn insertion(document: &Document, location: usize, item: &str) -> Edit {
-    let text = &document.text;
-    let line = text[..location].rfind('\n').map_or(0, |end| end + 1);
-    let indent = &text[line..location];
-    let is_blank = indent.chars().all(char::is_whitespace);
-    Edit {
-        range: location..location,
-        text: match is_blank {
-            true => format!("{item}\n{indent}"),
-            false => format!("{item} "),
-        },
-    }
 }
 
 /// Takes the solution of an unknown as its estimate; and those of all unknowns.

@@ -6,8 +6,9 @@ use linkage_compiler::{Checked, Message, SourceSpan, check_all, check_names};
 use linkage_engine::{MechanismCall, Source};
 use proc_macro2::{TokenStream, extra::invalidate_current_thread_spans};
 
-use crate::diagnostics::{Diagnostic, Edit, Fix, Related, Severity};
+use crate::diagnostics::{Diagnostic, Related, Severity};
 use crate::facts::Facts;
+use crate::suggested::suggested;
 
 /// The results of compiling a text.
 #[derive(Clone, Debug, Default)]
@@ -35,7 +36,7 @@ pub(crate) fn names(name: &str, text: &str) -> Analysis {
 
 fn analysed(name: &str, text: &str, check: Check) -> Analysis {
     let analysis = match Source::new(name, text) {
-        Ok(source) => checked(&source, offset_of_text(text), check),
+        Ok(source) => checked(&source, text, check),
         // The compiler of Rust has messages about the rest of a Rust file.
         Err(_) if name.ends_with(".rs") => Analysis::default(),
         Err(error) => unreadable(text, &error.to_string()),
@@ -53,7 +54,7 @@ pub(crate) fn offset_of_text(text: &str) -> usize {
     }
 }
 
-fn checked(source: &Source, offset: usize, check: Check) -> Analysis {
+fn checked(source: &Source, text: &str, check: Check) -> Analysis {
     let mut analysis = Analysis {
         runs: true,
         ..Analysis::default()
@@ -67,14 +68,15 @@ fn checked(source: &Source, offset: usize, check: Check) -> Analysis {
                 .extend(model.map(|model| Facts::new(&model.mechanism)));
             analysis
                 .diagnostics
-                .extend(diagnostics(call, &checked, offset));
+                .extend(diagnostics(text, call, &checked));
         }
     }
     analysis
 }
 
 /// Returns the messages about a mechanism; further places of a mistake are part of its message.
-fn diagnostics(call: &MechanismCall, checked: &Checked, offset: usize) -> Vec<Diagnostic> {
+fn diagnostics(text: &str, call: &MechanismCall, checked: &Checked) -> Vec<Diagnostic> {
+    let offset = offset_of_text(text);
     let mut found: Vec<Diagnostic> = Vec::new();
     let mistakes = checked
         .messages
@@ -85,7 +87,7 @@ fn diagnostics(call: &MechanismCall, checked: &Checked, offset: usize) -> Vec<Di
         .iter()
         .map(|message| (message, Severity::Warning));
     for (message, severity) in mistakes.chain(warnings) {
-        let diagnostic = diagnostic(call, message, severity, offset);
+        let diagnostic = diagnostic((text, call), message, severity, offset);
         match found.last_mut() {
             Some(first) if message.is_related => first.related.push(Related {
                 range: diagnostic.range,
@@ -98,20 +100,14 @@ fn diagnostics(call: &MechanismCall, checked: &Checked, offset: usize) -> Vec<Di
 }
 
 fn diagnostic(
-    call: &MechanismCall,
+    (text, call): (&str, &MechanismCall),
     message: &Message,
     severity: Severity,
     offset: usize,
 ) -> Diagnostic {
     let range = |span: SourceSpan| bytes(call, span, offset);
-    let edit = |(span, text): &(SourceSpan, String)| Edit {
-        range: range(*span),
-        text: text.clone(),
-    };
-    let fixes = message.suggestions.iter().map(|suggestion| Fix {
-        title: suggestion.title.clone(),
-        edits: suggestion.edits.iter().map(edit).collect(),
-    });
+    let fixes = message.suggestions.iter();
+    let fixes = fixes.filter_map(|suggestion| suggested(text, suggestion, range));
     let (fact, help) = match message.text.split_once("\nhelp: ") {
         Some((fact, help)) => (fact, Some(help.to_owned())),
         None => (message.text.as_str(), None),

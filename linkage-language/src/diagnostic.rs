@@ -14,7 +14,7 @@ pub use origin::SourceSpan;
 pub use origin::{OriginId, Origins};
 pub use sorted::Section;
 use sorted::Sorted;
-pub use suggestion::{Message, Suggestion};
+pub use suggestion::{EditLocation, Message, SourceEdit, Suggestion};
 
 /// The sink of phases without spans, whose messages have the spans of [`OriginId`]s.
 #[derive(Debug)]

@@ -3,14 +3,14 @@
 use proc_macro2::TokenStream;
 use quote::quote;
 
-use super::array_types::Types;
 use super::docs::doc;
 use super::outline::{Outline, plain};
 use super::{assembly_data, attribute, constructors, coupled, literal, sweeps};
 
-/// The public functions of the assembly type that make one and read it.
+/// The name of its core, and the public functions of the assembly type that make one and read it.
 pub(super) fn items(outline: &Outline) -> TokenStream {
-    let mut items = accessors(outline);
+    let mut items = core_name(outline);
+    items.extend(accessors(outline));
     items.extend(constructors::items(outline));
     items
 }
@@ -18,11 +18,8 @@ pub(super) fn items(outline: &Outline) -> TokenStream {
 /// The assembly type and its data.
 pub(super) fn structure(outline: &Outline) -> TokenStream {
     let Outline {
-        runtime,
         visibility,
-        name,
         assembly,
-        core,
         ..
     } = outline;
     let doc = doc(&format!(
@@ -31,10 +28,6 @@ pub(super) fn structure(outline: &Outline) -> TokenStream {
         sweeps::about(outline)
     ));
     let derives = attribute::derives([], &[]);
-    let Types {
-        modes, prepared, ..
-    } = Types::new(outline);
-    let [angles, inputs] = [outline.continuous_angles, outline.inputs.len()].map(literal::index);
     let own_derives = match outline.starts.is_empty() {
         true => derives.clone(),
         false => {
@@ -44,17 +37,17 @@ pub(super) fn structure(outline: &Outline) -> TokenStream {
     let sealed = assembly_data::field(outline);
     let allow = attribute::allow();
     quote! {
-        // As visible as the mechanism: the runtime's traits of public results name it.
-        #allow
-        #[doc(hidden)]
-        #visibility type #core<T> = #runtime::Core<
-            #name<T>, #modes, #runtime::Turns<T, #angles, #inputs>, #prepared,
-        >;
         #doc
         #allow
         #own_derives
         #visibility struct #assembly<T = ::core::primitive::f64> { #sealed }
     }
+}
+
+/// The name of the core's type in the block around code.
+fn core_name(outline: &Outline) -> TokenStream {
+    let (name, core) = (&outline.core, assembly_data::core_type(outline));
+    quote!(type #name<T> = #core;)
 }
 
 /// `mechanism()`, `modes()` and, with prepared states over several inputs, `served()`, unless the

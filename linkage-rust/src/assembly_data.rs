@@ -6,15 +6,26 @@
 use proc_macro2::TokenStream;
 use quote::quote;
 
-use super::array_types;
+use super::array_types::{self, Types};
+use super::literal;
 use super::outline::Outline;
 
 /// The only field of the assembly.
 pub(super) fn field(outline: &Outline) -> TokenStream {
-    let Outline { runtime, core, .. } = outline;
+    let (runtime, core) = (&outline.runtime, core_type(outline));
     let starts = (!outline.starts.is_empty()).then(|| array_types::starts_type(outline));
     let starts = starts.map(|starts| quote!(, #starts));
-    quote!(__sealed: #runtime::Sealed<#core<T> #starts>,)
+    quote!(__sealed: #runtime::Sealed<#core #starts>,)
+}
+
+/// The type of the core, over `T`.
+pub(super) fn core_type(outline: &Outline) -> TokenStream {
+    let Outline { runtime, name, .. } = outline;
+    let Types {
+        modes, prepared, ..
+    } = Types::new(outline);
+    let [angles, inputs] = [outline.continuous_angles, outline.inputs.len()].map(literal::index);
+    quote!(#runtime::Core<#name<T>, #modes, #runtime::Turns<T, #angles, #inputs>, #prepared>)
 }
 
 /// A reference to the core of the assembly `of`.

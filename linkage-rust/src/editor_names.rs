@@ -5,11 +5,11 @@
 //! completions inside the macro are then those of fields.
 
 mod accesses;
+mod block_uses;
 mod declared_names;
+mod reader;
 mod uses;
 mod vocabulary;
-
-use std::collections::BTreeSet;
 
 use linkage_compiler::Driver;
 use linkage_language::diagnostic::Diagnostics;
@@ -24,7 +24,7 @@ use declared_names::{Names, holder};
 /// reported by [`compile`](crate::compile).
 pub fn names(input: TokenStream) -> TokenStream {
     let (_, body) = split_crate_path(input);
-    let blocks = uses::blocks(body.clone());
+    let blocks = block_uses::blocks(body.clone());
     // As they are written, and with the loops that joints and links stand for.
     let written = syntax::parse(body.clone(), &mut Diagnostics::default());
     let resolved = Driver::resolve(body);
@@ -40,9 +40,7 @@ pub fn names(input: TokenStream) -> TokenStream {
         let blocks: Vec<_> = blocks.collect();
         items.extend(accesses::function(index, &all, &blocks));
     }
-    let uses = blocks.iter().flat_map(|block| &block.uses);
-    let words: BTreeSet<&str> = uses.filter_map(accesses::word).collect();
-    items.extend(vocabulary::words(&accesses::words(), &words));
+    items.extend(vocabulary::types());
     for (names, (_, model)) in all.iter().zip(&resolved) {
         let mechanism = model.as_ref().map(|model| &model.mechanism);
         items.extend(names.types(mechanism));

@@ -163,17 +163,18 @@ pub(super) fn constants(outline: &Outline, structure: &TokenStream) -> TokenStre
         let tolerance = literal::float(component.tolerance);
         quote!(#runtime::parameter(#name, #unit, #nominal, #tolerance))
     });
-    let indices = index_names(outline)
-        .into_iter()
-        .enumerate()
-        .map(|(index, (constant, name))| {
-            let constant = Ident::new(&constant, Span::call_site());
-            let doc = doc(&format!(
-                "Index of `{name}` in `PARAMETERS` and in the arrays of `sensitivity`."
-            ));
-            let index = literal::index(index);
-            quote!(#doc pub const #constant: __p::usize = #index;)
-        });
+    let indices =
+        index_names(outline)
+            .into_iter()
+            .enumerate()
+            .map(|(index, (constant, name, span))| {
+                let constant = Ident::new(&constant, span);
+                let doc = doc(&format!(
+                    "Index of `{name}` in `PARAMETERS` and in the arrays of `sensitivity`."
+                ));
+                let index = literal::index(index);
+                quote!(#doc pub const #constant: __p::usize = #index;)
+            });
     let inputs = outline.inputs.iter().map(|input| {
         let (name, unit) = (plain(input.name), &input.unit);
         let reference = literal::float(input.reference);
@@ -203,12 +204,16 @@ pub(super) fn constants(outline: &Outline, structure: &TokenStream) -> TokenStre
 /// Names of the index constants with the parameters that they stand for. `INDEX_PIVOT_D_X` for
 /// `pivot_d.x`; where two parameters would share a name (`a` and `A`), the later one keeps its
 /// spelling.
-fn index_names(outline: &Outline) -> Vec<(String, String)> {
+fn index_names(outline: &Outline) -> Vec<(String, String, Span)> {
     let mut taken = BTreeSet::new();
-    let components = outline.parameters.iter().flat_map(|p| &p.components);
+    let parameters = outline.parameters.iter();
+    let components = parameters.flat_map(|parameter| {
+        let components = parameter.components.iter();
+        components.map(|component| (component, parameter.name.span()))
+    });
     components
         .enumerate()
-        .map(|(index, component)| {
+        .map(|(index, (component, span))| {
             let joined = component.name.replace('.', "_");
             let candidates = [
                 format!("INDEX_{}", joined.to_uppercase()),
@@ -219,7 +224,7 @@ fn index_names(outline: &Outline) -> Vec<(String, String)> {
             let free = candidates.iter().find(|name| !taken.contains(*name));
             let name = free.unwrap_or(&candidates[3]).clone();
             taken.insert(name.clone());
-            (name, component.name.clone())
+            (name, component.name.clone(), span)
         })
         .collect()
 }

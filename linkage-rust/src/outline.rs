@@ -2,7 +2,7 @@
 
 use std::borrow::Cow;
 
-use proc_macro2::{Ident, TokenStream};
+use proc_macro2::{Ident, Span, TokenStream};
 use quote::{format_ident, quote};
 
 use super::spanned::aside;
@@ -176,7 +176,7 @@ impl<'a> Outline<'a> {
             visibility: &def.visibility,
             name: &def.name,
             assembly: format_ident!("{}{ASSEMBLY}", def.name),
-            core: format_ident!("__{}Core", def.name),
+            core: format_ident!("__{}Core", def.name, span = Span::call_site()),
             parameters: Vec::new(),
             inputs: Vec::new(),
             functions: Vec::new(),

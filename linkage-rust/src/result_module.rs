@@ -11,7 +11,7 @@
 //! A function with derives of the user's has its types next to everything else: in the body of a
 //! function these derives may be imported there, and no module sees that import.
 
-use proc_macro2::{Delimiter, Group, Ident, TokenStream, TokenTree};
+use proc_macro2::{Delimiter, Group, Ident, Span, TokenStream, TokenTree};
 use quote::{format_ident, quote, quote_spanned};
 
 use super::attribute;
@@ -20,7 +20,10 @@ use super::outline::{Function, Outline};
 /// The module of a function's types.
 fn module(outline: &Outline, function: &Function) -> Option<Ident> {
     let has_module = attribute::split(function.attributes).result.is_empty();
-    has_module.then(|| format_ident!("__{}_{}", outline.name, function.name))
+    has_module.then(|| {
+        let span = Span::call_site();
+        format_ident!("__{}_{}", outline.name, function.name, span = span)
+    })
 }
 
 /// The result type of a function, for items outside of its module.

@@ -2,7 +2,7 @@
 
 use linkage_symbolic::passes::stages::{Stage, memory};
 use linkage_symbolic::program::Value;
-use proc_macro2::{Ident, TokenStream};
+use proc_macro2::{Ident, Span, TokenStream};
 use quote::{ToTokens, format_ident, quote};
 
 use super::array_fields::entry;
@@ -45,7 +45,11 @@ impl Version {
 /// The type that stands for a program of a function.
 pub(super) fn name(outline: &Outline, function: &Function, version: Version) -> Ident {
     let (name, word) = (function.name, version.word());
-    format_ident!("__{}_{name}{word}_stages", outline.name)
+    format_ident!(
+        "__{}_{name}{word}_stages",
+        outline.name,
+        span = Span::call_site()
+    )
 }
 
 /// The runtime's `Staged` of a program, and each of its stages.

@@ -81,6 +81,13 @@ test("words of the language are names where no word can be", () => {
   assert.deepEqual(scopesOf("body a = pin on frame at p, mass mass at q;", "mass"), ["keyword.control.clause", "variable.other"]);
 });
 
+// Otherwise VS Code completes nothing while a word is typed.
+test("names are words of the editor", async () => {
+  const { wordPattern } = (await json("language-configuration.json")) as { wordPattern: { pattern: string; flags: string } };
+  const word = new RegExp(wordPattern.pattern, `${wordPattern.flags}g`);
+  assert.deepEqual("let Länge_2 = a.b;".match(word), ["let", "Länge_2", "a", "b"]);
+});
+
 test("numbers have their units", () => {
   const text = "damper 0.1N*s/m on way; let a = 9.8m/s^2 * t + 30deg..360deg + 5 mm;";
   const units = coloured(linkage, text).filter(([, scope]) => scope === "support.type.unit").map(([word]) => word);

@@ -69,6 +69,103 @@ fn units() {
     mended(slider, "param rod = 120", "write `120mm`");
 }
 
+/// A slider-crank with a coordinate in the place of `OFFSET`.
+const SLIDER: &str = "struct Slider {
+    unit mm;
+    /// The crank's angle.
+    input phi = 30deg in 0deg..360deg;
+    unknown theta = -10deg;
+    unknown s = 150mm;
+    loop polar(40mm, phi) + polar(120mm, theta) = (s, OFFSET);
+}
+impl Slider { pub fn stroke(phi) -> Stroke { s } }
+";
+
+/// A four-bar by its joints and links.
+const FOUR_BAR: &str = "pub struct FourBar {
+    unit mm;
+    input phi = 60deg in 0deg..360deg;
+    joint a = (0mm, 0mm), d = (140mm, 0mm);
+    joint b = (25mm, 43.30127mm), c = (115mm, 96.8mm);
+    link frame: a, d;
+    /// It turns about `a`.
+    link crank: a, b at phi;
+    link coupler: b, c;
+    link rocker: d, c;
+}
+impl FourBar { pub fn f(phi) -> F { c } }
+";
+
+/// A document of a text with another text in the place of a piece.
+fn replaced(text: &str, piece: &str, new: &str) -> Document {
+    assert!(text.contains(piece), "{piece}");
+    Document::new("replaced.mech", &text.replacen(piece, new, 1))
+}
+
+#[test]
+fn a_coordinate_gets_its_unit() {
+    for (written, caret, number) in [("5", "(s, 5", "5mm"), ("3mm - 2.5", "3mm - 2.5", "2.5mm")] {
+        let slider = replaced(SLIDER, "OFFSET", written);
+        let text = mended(slider, caret, &format!("write `{number}`"));
+        let offset = written.replace(number.trim_end_matches("mm"), number);
+        assert!(text.contains(&format!("= (s, {offset});")), "{text}");
+    }
+}
+
+#[test]
+fn a_missing_semicolon() {
+    let slider = SLIDER.replace("OFFSET", "5mm");
+    let slider = replaced(&slider, "in 0deg..360deg;", "in 0deg..360deg // the crank");
+    let text = mended(slider, "in 0deg..360deg", "write `;`");
+    assert!(text.contains("in 0deg..360deg; // the crank"), "{text}");
+}
+
+/// The new item is before the first link and its comment.
+#[test]
+fn a_missing_frame() {
+    let bar = replaced(FOUR_BAR, "    link frame: a, d;\n", "");
+    let text = mended(bar, "pub struct Fou", "add `link frame: a, d;`");
+    assert_eq!(text, FOUR_BAR);
+}
+
+#[test]
+fn a_forgotten_input_of_a_driven_link() {
+    let line = "input phi = 60deg in 0deg..360deg";
+    let bar = replaced(FOUR_BAR, &format!("    {line};\n"), "");
+    let text = mended(bar, "at phi", &format!("declare `{line}`"));
+    let lines = format!("    {line};\n    /// It turns about `a`.\n    link crank");
+    assert!(text.contains(&lines), "{text}");
+}
+
+#[test]
+fn a_forgotten_input_of_a_loop() {
+    let slider = SLIDER.replace("OFFSET", "5mm");
+    let line = "input phi = 30deg in 0deg..360deg;";
+    let without = replaced(&slider, line, "");
+    let text = mended(
+        without,
+        "mm, phi",
+        "declare `input phi = 0deg in 0deg..360deg`",
+    );
+    assert!(
+        text.contains("    input phi = 0deg in 0deg..360deg;\n    loop"),
+        "{text}"
+    );
+    // The other inputs of a mechanism are known: another name is a value.
+    let with_input = replaced(&slider, "mm, phi", "mm, psi");
+    let caret = after(&with_input, "mm, psi");
+    let mut offered = with_input.actions(caret..caret).into_iter();
+    assert!(offered.all(|action| !action.fix.title.contains("input")));
+}
+
+#[test]
+fn functions_that_are_meant() {
+    let quantity = edited("slider", "velocity(slide)", "velocty(slide)");
+    mended(quantity, "velocty", "write `velocity`");
+    let function = edited("slider", "polar(crank", "ploar(crank");
+    mended(function, "ploar", "write `polar`");
+}
+
 #[test]
 fn names_that_are_meant() {
     let slider = edited("slider", "polar(crank, phi)", "polar(cank, phi)");

@@ -22,8 +22,30 @@ pub struct Message {
 pub struct Suggestion {
     /// The change in a few words, as in a menu.
     pub title: String,
-    /// Words that are replaced, each with the text instead of it.
-    pub edits: Vec<(SourceSpan, String)>,
+    /// Its parts, which do not overlap.
+    pub edits: Vec<SourceEdit>,
+}
+
+/// A text that the source is given.
+#[derive(Clone, Debug)]
+pub struct SourceEdit {
+    /// Words of the source.
+    pub span: SourceSpan,
+    /// The location of the text, relative to these words.
+    pub location: EditLocation,
+    /// The text.
+    pub text: String,
+}
+
+/// The location of a text, relative to words of the source.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum EditLocation {
+    /// Instead of the words.
+    Instead,
+    /// Directly after the words.
+    After,
+    /// Before the item that contains the words: the text is an item, too.
+    BeforeItem,
 }
 
 impl Message {
@@ -49,7 +71,32 @@ impl Message {
 
     /// Adds a change in several places, which do not overlap.
     pub fn suggest_all(&mut self, title: impl Into<String>, edits: Vec<(SourceSpan, String)>) {
-        let title = title.into();
-        self.suggestions.push(Suggestion { title, edits });
+        let edits = edits.into_iter().map(|(span, text)| SourceEdit {
+            span,
+            location: EditLocation::Instead,
+            text,
+        });
+        self.suggestions.push(Suggestion {
+            title: title.into(),
+            edits: edits.collect(),
+        });
+    }
+
+    /// Adds a change that writes a text at a location.
+    pub fn suggest_text(
+        &mut self,
+        title: impl Into<String>,
+        span: SourceSpan,
+        location: EditLocation,
+        text: impl Into<String>,
+    ) {
+        self.suggestions.push(Suggestion {
+            title: title.into(),
+            edits: vec![SourceEdit {
+                span,
+                location,
+                text: text.into(),
+            }],
+        });
     }
 }

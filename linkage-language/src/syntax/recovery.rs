@@ -5,6 +5,7 @@ use proc_macro2::TokenTree;
 use super::keyword::{ClauseWord, DeclarationWord, ItemWord, LinkedWord, is_keyword};
 use super::parser::{Parsed, Parser};
 use super::vocabulary::Word;
+use crate::diagnostic::EditLocation;
 
 impl Parser<'_> {
     /// Reads `;`, which the last item may lack. A missing one before the next item is reported and
@@ -15,7 +16,9 @@ impl Parser<'_> {
         }
         if self.at_item() || self.stream.is_punct(0, '#') {
             let span = self.stream.previous_span();
-            let _ = self.fail_at::<()>(span, "the item lacks its `;`", "write `;` here");
+            let (fact, help) = ("the item lacks its `;`", "write `;` here");
+            let message = self.diagnostics.error_with_help(span, fact, help);
+            message.suggest_text("write `;`", span, EditLocation::After, ";");
             return Ok(());
         }
         self.unexpected_after_expression("`;`")

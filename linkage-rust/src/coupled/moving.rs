@@ -1,7 +1,7 @@
 //! The mechanism of sweeps over sets whose coupled groups are followed from its dimensions to
 //! others.
 
-use proc_macro2::{Ident, TokenStream};
+use proc_macro2::{Ident, Span, TokenStream};
 use quote::{format_ident, quote};
 
 use crate::array_fields::entries;
@@ -13,7 +13,7 @@ use crate::{attribute, literal, stages};
 
 /// The type of the mechanism that changes its dimensions.
 fn moving_name(outline: &Outline) -> Ident {
-    format_ident!("__{}Moving", outline.name)
+    format_ident!("__{}Moving", outline.name, span = Span::call_site())
 }
 
 /// The runtime's `Moving`, and how an assembly begins to move.
@@ -101,7 +101,11 @@ pub(super) fn items(outline: &Outline) -> TokenStream {
 }
 
 fn kernel_name(outline: &Outline, number: usize) -> Ident {
-    format_ident!("__{}Correct{number}", outline.name)
+    format_ident!(
+        "__{}Correct{number}",
+        outline.name,
+        span = Span::call_site()
+    )
 }
 
 /// The program that corrects a group, over rows of dimensions and arguments: it has `outputs`

@@ -1,19 +1,26 @@
 //! Accesses to the fields of names, in a function for each mechanism.
 
+use linkage_language::syntax::{first_spelling, is_keyword};
 use proc_macro2::{Ident, Span, TokenStream};
 use quote::{format_ident, quote};
 
+use super::block_uses::Block;
 use super::declared_names::{Declared, Kind, Names, holder};
-use super::uses::{self, Block, Use};
+use super::uses::Use;
 use super::vocabulary;
 
 /// A function with an access for each use in the blocks of a mechanism.
+///
+/// While a word is typed, rust-analyzer looks for its receiver at the same byte of the code without
+/// the word. So each word is after a statement with the receiver of names, and the ends of items and
+/// blocks have the receivers of the words that may follow.
 pub(super) fn function(index: usize, all: &[Names], blocks: &[&Block]) -> TokenStream {
     let mechanisms = all.iter().enumerate().map(|(index, names)| {
         let (argument, mechanism) = (dimensions(index), &names.mechanism);
         quote!(#argument: #mechanism,)
     });
     let mut arguments: TokenStream = mechanisms.collect();
+    arguments.extend(vocabulary::receivers());
     let mut results = Vec::new();
     for result in blocks.iter().flat_map(|block| &block.results) {
         let argument = format_ident!("__r{}", results.len());
@@ -37,8 +44,7 @@ pub(super) fn function(index: usize, all: &[Names], blocks: &[&Block]) -> TokenS
     body.extend(implemented.map(|name| quote!(let _: #name;)));
     let function = format_ident!("__uses_{index}");
     let (argument, holder) = (argument(index), holder(&all[index].mechanism, None));
-    let words = words();
-    quote!(fn #function(#argument: #holder, __w: #words, #arguments) { #body })
+    quote!(fn #function(#argument: #holder, #arguments) { #body })
 }
 
 /// The argument whose fields are the names of a mechanism.
@@ -52,47 +58,61 @@ fn dimensions(index: usize) -> Ident {
     format_ident!("__m{index}", span = Span::call_site())
 }
 
-/// The name of the type whose fields are words of the language.
-pub(super) fn words() -> Ident {
-    format_ident!("__words", span = Span::call_site())
-}
-
-/// Returns a word of the language that has a meaning.
-pub(super) fn word(used: &Use) -> Option<&'static str> {
-    let word = match used {
-        Use::Name { path, .. } => path.first()?,
-        Use::Item(word) => word,
-        Use::Call(_) => return None,
-    };
-    vocabulary::word(&word.to_string())
-}
-
 fn access(used: &Use, index: usize, all: &[Names]) -> TokenStream {
-    let of_word = |word: &Ident| {
-        let is_known = vocabulary::word(&word.to_string()).is_some();
-        let raw = vocabulary::raw(word);
-        is_known.then(|| quote!(__w.#raw;))
-    };
+    let names = argument(index);
     match used {
-        Use::Item(word) => of_word(word).unwrap_or_default(),
+        Use::Item(word) => vocabulary::item(word),
+        Use::Clause(word, clauses) => {
+            let word = vocabulary::clause(word, *clauses);
+            quote!(#names; #word)
+        }
+        Use::Unit(unit) => {
+            let unit = vocabulary::unit(unit);
+            quote!(#names; #unit)
+        }
+        Use::EndOfItem(clauses) => {
+            let receiver = vocabulary::clauses(*clauses);
+            quote!(#names; #receiver;)
+        }
+        Use::EndOfBlock => {
+            let receiver = vocabulary::items();
+            quote!(#receiver;)
+        }
         Use::Call(word) if vocabulary::is_function(&word.to_string()) => {
             let holder = holder(&all[index].mechanism, None);
-            quote!(#holder::#word;)
+            quote!(#names; #holder::#word;)
         }
-        Use::Call(_) | Use::Name { declares: true, .. } => TokenStream::new(),
+        Use::Call(_) => TokenStream::new(),
+        // The link that does not move is a word of the language, also where its joints are.
+        Use::Name { path, .. } if all[index].is_frame(&path[0]) => {
+            let word = vocabulary::clause(&path[0], None);
+            quote!(#names; #word)
+        }
+        Use::Name { declares: true, .. } => TokenStream::new(),
         Use::Name { path, .. } => {
             let (name, members) = path.split_first().expect("a name");
             match all[index].find(name) {
                 Some(declared) => access_of(declared, name, members, index, all),
-                // A word, or a name that is being written.
-                None if uses::is_word(&name.to_string()) => TokenStream::new(),
                 None if all.iter().any(|names| names.mechanism == *name) => quote!(let _: #name;),
-                None => of_word(name).unwrap_or_else(|| {
-                    let argument = argument(index);
-                    quote!(#argument.#name;)
-                }),
+                None => undeclared(name, &names),
             }
         }
+    }
+}
+
+/// A word without a declaration: of the language, or a name that is being written.
+fn undeclared(word: &Ident, names: &Ident) -> TokenStream {
+    match first_spelling(&word.to_string()) {
+        Some(_) => {
+            let unit = vocabulary::unit(word);
+            quote!(#names; #unit)
+        }
+        None if vocabulary::is_course(word) => {
+            let word = vocabulary::clause(word, None);
+            quote!(#names; #word)
+        }
+        None if is_keyword(&word.to_string()) => TokenStream::new(),
+        None => quote!(#names.#word;),
     }
 }
 

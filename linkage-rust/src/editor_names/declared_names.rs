@@ -2,8 +2,8 @@
 
 use linkage_language::model::{Mechanism, Type};
 use linkage_language::syntax::{
-    Attribute, BodyItem, Item, ItemName, LinkedItem, LinkedWord, MechanismDef, documentation,
-    item_text,
+    Attribute, BodyItem, Item, ItemName, LinkedItem, LinkedWord, MarkWord, MechanismDef, Word,
+    documentation, item_text,
 };
 use proc_macro2::{Ident, Span, TokenStream};
 use quote::{format_ident, quote};
@@ -28,6 +28,11 @@ impl Names {
     pub(super) fn find(&self, name: &Ident) -> Option<&Declared> {
         let mut declared = self.declared.iter();
         declared.find(|declared| declared.link.is_none() && declared.name == *name)
+    }
+
+    /// Returns true for the link that does not move, unless the mechanism declares a value of that name.
+    pub(super) fn is_frame(&self, name: &Ident) -> bool {
+        is_frame(name) && self.find(name).is_none()
     }
 
     /// The types whose fields are the names: of the mechanism, and of each link.
@@ -85,10 +90,10 @@ fn declared(forms: [&MechanismDef; 2]) -> Vec<Declared> {
         };
         for (name, kind) in names_of(item) {
             let (link, name) = (name.link().cloned(), name.last().clone());
-            if !all
-                .iter()
-                .any(|other| other.link == link && other.name == name)
-            {
+            let is_word = matches!(kind, Kind::Link) && is_frame(&name);
+            let mut others = all.iter();
+            let is_new = !others.any(|other| other.link == link && other.name == name);
+            if is_new && !is_word {
                 all.push(Declared {
                     name,
                     kind,
@@ -111,9 +116,14 @@ impl Declared {
             None => name.to_string(),
         };
         let ty = mechanism.and_then(|mechanism| type_of(mechanism, &written));
+        let unit = mechanism
+            .zip(ty.as_ref().and_then(Type::dimension))
+            .map(|(mechanism, dimension)| dimension.unit(mechanism.unit))
+            .filter(|unit| !unit.is_empty())
+            .map_or_else(String::new, |unit| format!(", in {unit}"));
         let kind = ty
             .as_ref()
-            .map(|ty| format!("\n\n{ty}"))
+            .map(|ty| format!("\n\n{ty}{unit}"))
             .unwrap_or_default();
         let line = format!("`{}`{kind}", self.line);
         let docs = match self.documentation.is_empty() {
@@ -171,6 +181,10 @@ fn type_of(mechanism: &Mechanism, name: &str) -> Option<Type> {
         .chain(lets);
     all.find(|(known, _)| known.as_str() == name)
         .map(|(_, ty)| ty)
+}
+
+fn is_frame(name: &Ident) -> bool {
+    *name == MarkWord::Frame.word()
 }
 
 fn names_of(item: &Item) -> Vec<(ItemName, Kind)> {

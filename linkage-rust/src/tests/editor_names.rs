@@ -78,7 +78,18 @@ fn accesses_come_before_fields_and_name_every_use() {
         "__r0 . s ;",
         "Length of the rod.\\n\\n`param rod = 60mm +- 0.1mm`",
         "__Machine_names :: velocity ;",
-        "__w . r#loop ;",
+        // A keyword of Rust is no field that completions offer.
+        "__w ; __k . r#loop ;",
+        "__w . param ;",
+        "__n1 ; __c1 . mass ;",
+        "__w . slide ;",
+        "__n1 ; __c0 . frame ;",
+        "__n1 ; __u . mm ;",
+        // The end of an item and of a block.
+        "__n1 ; __c2 ;",
+        "__w ; __n1",
+        "theta : f64",
+        "`unknown s = 50mm`\\n\\na length, in mm",
         "fn polar (& self , r#length : f64 , r#angle : f64)",
         "wheel : __Crank_names ,",
         "arm : __Machine_names_arm ,",
@@ -90,6 +101,8 @@ fn accesses_come_before_fields_and_name_every_use() {
         "__n1 . mm",
         "__n1 . at ;",
         "__n1 . mass",
+        "__n1 . slide",
+        "__n1 . frame",
         "__n1 . Crank",
     ] {
         assert!(!printed.contains(piece), "{piece}: {printed}");

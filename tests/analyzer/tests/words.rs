@@ -66,13 +66,19 @@ const WORDS: &str = "linkage::mechanism! {
         param mass = 2kg;
         input at = 0deg in 0deg..360deg;
         unknown turns = 10deg;
-        let point = (10mm, 0mm);
+        let point = (10.5mm, 0mm);
+        let pin = (0mm, 0mm);
+        gravity = (0, -9.8m/s^2);
         loop turns = at;
         body arm = pin on frame at point, turns turns, mass mass at point;
     }
     impl Press {
-        pub fn motion(at) -> Motion { turns, point }
+        pub fn motion(at) -> Motion { turns, point, pin }
     }
+}
+
+pub fn index() -> usize {
+    Press::INDEX_MASS
 }
 ";
 
@@ -111,6 +117,8 @@ fn names_are_known_inside_the_macro() {
     let mut analyzer = Analyzer::new(project.folder());
     words_have_meanings_and_definitions(&project, &mut analyzer);
     parts_and_links_lead_to_their_words(&project, &mut analyzer);
+    words_of_the_language_are_no_names(&project, &mut analyzer);
+    words_are_offered_where_nothing_is_written(&project, &mut analyzer);
     completions_are_names_of_the_mechanism(&project, &mut analyzer);
     generated_methods_are_offered_and_private_ones_are_not(&project, &mut analyzer);
     a_name_is_renamed_everywhere(&project, &mut analyzer);
@@ -194,6 +202,106 @@ fn parts_and_links_lead_to_their_words(project: &Project, analyzer: &mut Analyze
     assert!(shown.contains("`param coupler.length = "), "{shown}");
 }
 
+fn words_of_the_language_are_no_names(project: &Project, analyzer: &mut Analyzer) {
+    let text = opened(project, analyzer, "words");
+    for (context, word, meaning) in [
+        (
+            "arm = pin on",
+            "pin",
+            "A joint about which two bodies turn.",
+        ),
+        ("on frame", "frame", "The link that does not move."),
+        ("frame at", "at", "The point, direction or position of it"),
+        (
+            "0deg in",
+            "in",
+            "The range in which the mechanism must work",
+        ),
+        ("unit mm", "mm", "millimetre"),
+        ("2kg", "kg", "kilogram"),
+        ("10.5mm", "mm", "millimetre"),
+        ("m/s^2", "s^", "second"),
+    ] {
+        let shown = analyzer.hover(at(text, context, word));
+        assert!(shown.contains(meaning), "{context}: {shown}");
+    }
+    for (context, word) in [("arm = pin on", "pin"), ("on frame", "frame")] {
+        let renamed = analyzer.renamed(at(text, context, word), "other_name");
+        assert!(renamed.is_err(), "{renamed:?}");
+    }
+    // The point of that name is another one.
+    let renamed = analyzer.renamed(at(text, "let pin", "pin"), "pivot");
+    let renamed = renamed.expect("a name");
+    assert!(
+        renamed.contains("let pivot =") && renamed.contains("arm = pin on"),
+        "{renamed}"
+    );
+    let index = analyzer.definitions(at(text, "INDEX_MASS", "INDEX"));
+    assert_eq!(index.len(), 1);
+    assert_eq!((index[0].line, index[0].word.as_str()), (4, "mass"));
+    let text = opened(project, analyzer, "joints");
+    let renamed = analyzer.renamed(at(text, "link frame", "frame"), "other_name");
+    assert!(renamed.is_err(), "{renamed:?}");
+    let shown = analyzer.hover(at(text, "b at phi", "at"));
+    assert!(
+        shown.contains("The direction from the first joint"),
+        "{shown}"
+    );
+}
+
+fn words_are_offered_where_nothing_is_written(project: &Project, analyzer: &mut Analyzer) {
+    let text = opened(project, analyzer, "slider");
+    for (piece, new, before, offered, missing) in [
+        // Items, at the beginning and at the end of the block.
+        ("    param rod", "\n    param rod", "", "unknown", "theta"),
+        (
+            "(s, 5mm);",
+            "(s, 5mm);\n        ",
+            "(s, 5mm);\n        ",
+            "unknown",
+            "theta",
+        ),
+        ("(s, 5mm);", "(s, 5mm); li", "; li", "link", "theta"),
+        // Names.
+        (
+            "loop pin + polar",
+            "loop pin +  + polar",
+            "loop pin + ",
+            "theta",
+            "param",
+        ),
+        (
+            "polar(rod, theta)",
+            "polar(rod, )",
+            "(rod, ",
+            "theta",
+            "param",
+        ),
+        (
+            "tilt: theta }",
+            "tilt: theta,  }",
+            "tilt: theta, ",
+            "velocity",
+            "param",
+        ),
+        // Words within items.
+        ("30deg in", "30deg i", "30deg i", "at", "theta"),
+        ("= -10deg;", "= -10deg ;", "= -10deg ", "redundant", "theta"),
+        ("unit mm", "unit m", "unit m", "cm", "theta"),
+    ] {
+        let changed = text.replace(piece, new);
+        analyzer.change(&changed);
+        let found = analyzer.completions(at(&changed, new, before) + before.len());
+        let has = |name: &str| found.iter().any(|label| label == name);
+        assert!(has(offered) && !has(missing), "{new}: {found:?}");
+        // They would be written as raw identifiers.
+        assert!(
+            !has("let") && !has("loop") && !has("in"),
+            "{new}: {found:?}"
+        );
+    }
+}
+
 fn completions_are_names_of_the_mechanism(project: &Project, analyzer: &mut Analyzer) {
     let text = opened(project, analyzer, "slider");
     let names = [
@@ -237,6 +345,23 @@ fn generated_methods_are_offered_and_private_ones_are_not(
     let found = analyzer.completions(at(&changed, line, line) + line.len());
     assert!(
         found.iter().any(|label| label.starts_with("assemble")),
+        "{found:?}"
+    );
+    assert!(
+        found.iter().all(|label| !label.starts_with("__")),
+        "{found:?}"
+    );
+    // In another module.
+    let text = opened(project, analyzer, "joints");
+    let path = "let motion = crate::slider::;";
+    let changed = text.replace(
+        "let motion = FourBar",
+        &format!("{path} let motion = FourBar"),
+    );
+    analyzer.change(&changed);
+    let found = analyzer.completions(at(&changed, path, ";"));
+    assert!(
+        found.iter().any(|label| label == "SliderCrank"),
         "{found:?}"
     );
     assert!(

@@ -1,13 +1,16 @@
 //! Values that must have one dimension: their common type, and messages where there is none.
 
+use std::fmt::Display;
+
 use super::frame_parts::frame_parts_help;
 use super::hidden_unit::hidden_unit_help;
 use super::missing_units::suspect_unit;
 use super::plane_and_space::{lifting_help, plane_beside_space, vector_components};
+use crate::diagnostic::SourceSpan;
 use crate::model::symbols::assumed_units::AssumedUnits;
 use crate::model::symbols::declared_names::Names;
 use crate::model::symbols::sink::Sink;
-use crate::model::types::{Expr, ExprKind, Name, Type};
+use crate::model::types::{Dimension, Expr, ExprKind, Name, Type};
 
 /// The type of all together; reports the first that differs from those before it.
 pub(in crate::model) fn common_type(
@@ -30,9 +33,9 @@ pub(in crate::model) fn common_type(
                     suspect_unit(units, sink, before, &values[index].ty);
                 }
                 let fact = format!("{what} differ in dimension: {ty} and {}", values[index].ty);
-                let help = mismatch_help(names, units, values[index - 1], values[index]);
                 let span = sink.span(values[index].origin);
-                sink.error_with_help(span, fact, help);
+                let [left, right] = [&*values[index - 1], &*values[index]];
+                refuse_mismatch(names, units, sink, [left, right], fact, span);
                 return Type::Error;
             }
         }
@@ -40,13 +43,42 @@ pub(in crate::model) fn common_type(
     ty
 }
 
-/// Returns a help for two values that do not fit.
-pub(in crate::model) fn mismatch_help(
+/// Reports two values that do not fit.
+pub(in crate::model) fn refuse_mismatch(
     names: &Names,
     units: &AssumedUnits,
-    left: &Expr,
-    right: &Expr,
-) -> String {
+    sink: &mut Sink,
+    [left, right]: [&Expr; 2],
+    fact: impl Display,
+    span: SourceSpan,
+) {
+    let help = mismatch_help(names, units, left, right);
+    let number = bare_length(units, left, right).map(|(value, text)| {
+        let span = sink.span(value.origin);
+        (span, text)
+    });
+    let message = sink.error_with_help(span, fact, help);
+    if let Some((span, text)) = number {
+        message.suggest(format!("write `{text}`"), span, text);
+    }
+}
+
+/// Returns the value that is a number without a unit if the other one is a length, and this number
+/// in the unit of the mechanism.
+fn bare_length<'e>(
+    units: &AssumedUnits,
+    left: &'e Expr,
+    right: &'e Expr,
+) -> Option<(&'e Expr, String)> {
+    let mut pairs = [(left, right), (right, left)].into_iter();
+    pairs.find_map(|(value, other)| {
+        let number = value.bare_number()?;
+        let is_length = other.ty == Type::Scalar(Dimension::LENGTH);
+        is_length.then(|| (value, format!("{number}{}", units.length.name())))
+    })
+}
+
+fn mismatch_help(names: &Names, units: &AssumedUnits, left: &Expr, right: &Expr) -> String {
     for value in [left, right] {
         let ExprKind::Name(name @ (Name::Parameter(_) | Name::Input(_) | Name::Unknown(_))) =
             &value.kind
@@ -75,15 +107,8 @@ pub(in crate::model) fn mismatch_help(
         };
         return format!("write a vector `{vector}` on both sides, or take a component `.x`");
     }
-    for value in [left, right] {
-        if let ExprKind::Number(number) = value.kind
-            && value.ty == Type::NUMBER
-        {
-            return format!(
-                "give the number its unit: `{number}{}`",
-                units.length.name()
-            );
-        }
+    if let Some((_, length)) = bare_length(units, left, right) {
+        return format!("give the number its unit: `{length}`");
     }
     "both must have the same dimension".to_owned()
 }

@@ -18,7 +18,8 @@ pub(in crate::model) fn refuse_unknown_function(names: &Names, sink: &mut Sink, 
         Some(symbol) => format!("`{name}` is {}, not a function", symbol.kind()),
         None => format!("unknown function `{name}`"),
     };
-    let help = match (names.find(&name), nearest(&name, known)) {
+    let near = nearest(&name, known);
+    let help = match (names.find(&name), near) {
         (Some(_), _) => format!("write `{name} * (...)` for a product"),
         (None, Some(function)) => format!("did you mean `{function}`?"),
         (None, None) if ["pow", "powi", "powf", "sq"].contains(&name.as_str()) => {
@@ -29,7 +30,11 @@ pub(in crate::model) fn refuse_unknown_function(names: &Names, sink: &mut Sink, 
             format!("functions are {}", names.join(" "))
         }
     };
-    sink.error_with_help(ident.into(), fact, help);
+    let meant = near.filter(|_| names.find(&name).is_none());
+    let message = sink.error_with_help(ident.into(), fact, help);
+    if let Some(function) = meant {
+        message.suggest(format!("write `{function}`"), ident.into(), function);
+    }
 }
 
 /// A function with the wrong number of arguments.

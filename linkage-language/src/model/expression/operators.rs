@@ -1,6 +1,6 @@
 //! Sums, products, and the dimension that zero takes from its surroundings.
 
-use super::agreement::{mismatch_help, refuse_compound};
+use super::agreement::{refuse_compound, refuse_mismatch};
 use super::missing_units::suspect_both_units;
 use super::nodes::{error_expr, make_expr};
 use super::plane_and_space::both_types;
@@ -76,8 +76,7 @@ fn sum_type(
         BinaryOp::Sub => format!("cannot subtract {second} from {first}"),
         _ => format!("cannot add {first} and {second}"),
     };
-    let help = mismatch_help(names, units, left, right);
-    sink.error_with_help(span, fact, help);
+    refuse_mismatch(names, units, sink, [left, right], fact, span);
     None
 }
 

@@ -33,7 +33,8 @@ pub(in crate::model) fn refuse_unknown_name(
         .iter()
         .filter(may_stand)
         .map(|symbol| symbol.text.as_str())
-        .chain(["PI"]);
+        // `phi` is no misspelt `PI`.
+        .chain(text.eq_ignore_ascii_case("PI").then_some("PI"));
     let fact = format!("unknown name `{text}`");
     let help = match (nearest(&text, known.clone()), rate) {
         _ if members.has(&text) => format!(

@@ -1,7 +1,7 @@
 //! Constants, derived quantities and loops.
 
 use crate::model::dispatch::resolve_expression;
-use crate::model::expression::agreement::mismatch_help;
+use crate::model::expression::agreement::refuse_mismatch;
 use crate::model::expression::argument_use::refuse_argument;
 use crate::model::expression::frame_items::refuse_frame_loop;
 use crate::model::expression::missing_units::{note_unitless, suspect_both_units};
@@ -48,8 +48,8 @@ pub(in crate::model) fn resolve_loop(
             suspect_both_units(&scope.units, sink, &left, &right);
             let (first, second) = both_types(&scope.names, &left, &right);
             let fact = format!("the sides of the loop differ: {first} = {second}");
-            let help = mismatch_help(&scope.names, &scope.units, &left, &right);
-            sink.error_with_help(item.span, fact, help);
+            let sides = [&left, &right];
+            refuse_mismatch(&scope.names, &scope.units, sink, sides, fact, item.span);
         }
         return Loop {
             left,

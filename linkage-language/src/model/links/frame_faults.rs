@@ -5,8 +5,8 @@ use proc_macro2::Ident;
 use super::linkage::{FRAME, Linkage};
 use super::names::{FRAME_NAME, is_ground};
 use super::rigid_bodies::Bodies;
-use crate::diagnostic::Diagnostics;
 use crate::diagnostic::text::list;
+use crate::diagnostic::{Diagnostics, EditLocation};
 
 /// Reports a mechanism in which nothing is fixed.
 pub(super) fn report_missing_frame(linkage: &Linkage, diagnostics: &mut Diagnostics) {
@@ -31,9 +31,15 @@ pub(super) fn report_missing_frame(linkage: &Linkage, diagnostics: &mut Diagnost
         0 => "joint, joint".to_owned(),
         _ => ends.join(", "),
     };
+    let item = format!("link {FRAME_NAME}: {joints};");
     let fact = "no link is fixed: the mechanism has no frame";
-    let help = format!("name the joints that stay where they are: `link {FRAME_NAME}: {joints};`");
-    diagnostics.error_with_help((&frame.name).into(), fact, help);
+    let help = format!("name the joints that stay where they are: `{item}`");
+    let message = diagnostics.error_with_help((&frame.name).into(), fact, help);
+    let first = linkage.links.get(FRAME + 1).filter(|_| !ends.is_empty());
+    if let Some(link) = first {
+        let title = format!("add `{item}`");
+        message.suggest_text(title, (&link.name).into(), EditLocation::BeforeItem, item);
+    }
 }
 
 /// Returns the joints that only one link has, of links that are joined to others once: those are

@@ -2,7 +2,7 @@
 
 use super::drawing::Drawing;
 use super::linkage::{Link, Linkage};
-use crate::diagnostic::Diagnostics;
+use crate::diagnostic::{Diagnostics, EditLocation};
 use crate::syntax::{ExprKind, Item, MechanismDef};
 
 /// Reports links whose direction is an unknown name, if the mechanism declares no input.
@@ -36,8 +36,11 @@ pub(super) fn report(
         }
         let reference = drawn_degrees(link, drawing).unwrap_or(0.0);
         let fact = format!("unknown name `{text}`: the mechanism has no input");
-        let help = format!("declare it: `input {text} = {reference}deg in 0deg..360deg;`");
-        diagnostics.error_with_help(at.span, fact, help);
+        let item = format!("input {text} = {reference}deg in 0deg..360deg;");
+        let help = format!("declare it: `{item}`");
+        let message = diagnostics.error_with_help(at.span, fact, help);
+        let title = format!("declare `input {text} = {reference}deg in 0deg..360deg`");
+        message.suggest_text(title, at.span, EditLocation::BeforeItem, item);
     }
 }
 
