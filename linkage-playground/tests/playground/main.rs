@@ -11,4 +11,5 @@ mod phone;
 mod renewed;
 mod shown;
 mod speed;
+mod stopped;
 mod values;

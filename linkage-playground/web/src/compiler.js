@@ -3,48 +3,70 @@
 export class Compiler {
   #address;
   #module;
-  #worker = null;
+  #worker;
+  // Another worker that has begun already: it takes the place of one that is stopped.
+  #spare = null;
+  // Requests in their order, each with what is done with its answer.
   #waiting = new Map();
   #next = 0;
+  // The time at which the worker has begun the request that it answers next.
+  #since = 0;
 
   // `script` is the text of the worker, `module` the compiled module.
   constructor(script, module) {
     // A page that was opened from disk may start a worker from a text of its own only.
     this.#address = URL.createObjectURL(new Blob([script], { type: "text/javascript" }));
     this.#module = module;
-    this.#start();
+    this.#worker = this.#begun();
   }
 
-  #start() {
-    this.#worker = new Worker(this.#address);
-    this.#worker.addEventListener("message", ({ data: { id, answer, took } }) => {
-      const done = this.#waiting.get(id);
+  #begun() {
+    const worker = new Worker(this.#address);
+    worker.addEventListener("message", ({ data: { id, answer } }) => {
+      const waiting = this.#waiting.get(id);
       this.#waiting.delete(id);
-      done?.({ answer, took });
+      this.#since = performance.now();
+      // Not before: its start would delay this answer.
+      this.#spare ??= this.#begun();
+      waiting?.done(answer);
     });
-    this.#worker.postMessage({ module: this.#module });
+    worker.postMessage({ module: this.#module });
+    return worker;
   }
 
   // The answer as text; null if the compiler was stopped before.
   ask(request) {
     const id = this.#next++;
+    if (!this.isBusy) this.#since = performance.now();
     return new Promise((done) => {
-      this.#waiting.set(id, done);
+      this.#waiting.set(id, { request, done });
       this.#worker.postMessage({ id, request });
-    }).then((answered) => answered?.answer ?? null);
+    });
   }
 
   get isBusy() {
     return this.#waiting.size > 0;
   }
 
-  // Ends whatever is computed, and starts again.
+  // The request that is computed; null if there is none.
+  get present() {
+    const [first] = this.#waiting.values();
+    return first?.request ?? null;
+  }
+
+  // Milliseconds for which the present request has been computed.
+  get busyFor() {
+    return this.isBusy ? performance.now() - this.#since : 0;
+  }
+
+  // Ends whatever is computed.
   stop() {
     this.#worker.terminate();
+    this.#worker = this.#spare ?? this.#begun();
+    this.#spare = null;
     const waiting = [...this.#waiting.values()];
     this.#waiting.clear();
-    this.#start();
-    for (const done of waiting) done(null);
+    for (const { done } of waiting) done(null);
   }
 }
 
