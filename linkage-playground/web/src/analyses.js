@@ -42,18 +42,17 @@ export class Analyses {
     this.stopped();
   }
 
-  // Limits the time of what is computed for an earlier text: an analysis, or values next to names.
-  #limit() {
+  // Limits the time of requests for an earlier text, up to the newest one: analyses, and values next to names.
+  #limit(newest = this.#compiler.newest) {
     const { present, busyFor } = this.#compiler;
-    if (present === null) return;
-    const left = (this.#hasDropped && isAnalysis(present) ? LONGEST : HASTE) - busyFor;
-    if (left > 0) setTimeout(() => this.#drop(present), left);
-    else this.#drop(present);
-  }
-
-  #drop(work) {
-    if (this.#compiler.present !== work) return;
-    this.#hasDropped ||= isAnalysis(work);
+    if (present === null || present.id > newest) return;
+    const isAnalysis = ["analyse", "messages"].includes(present.request.do);
+    const left = (this.#hasDropped && isAnalysis ? LONGEST : HASTE) - busyFor;
+    if (left > 0) {
+      setTimeout(() => this.#limit(newest), left);
+      return;
+    }
+    this.#hasDropped ||= isAnalysis;
     this.#isWanted = true;
     this.#compiler.stop();
   }
@@ -83,10 +82,6 @@ export class Analyses {
     clearTimeout(this.#late);
     this.#late = null;
   }
-}
-
-function isAnalysis({ do: work }) {
-  return work === "analyse" || work === "messages";
 }
 
 // Lines of the answer: messages and names, then the report and the programs of each mechanism.

@@ -4,7 +4,7 @@ import { Analyses } from "./analyses.js";
 import { Assist } from "./assist.js";
 import { showSteps, startButtons } from "./buttons.js";
 import { format, offerChanges } from "./changes.js";
-import { Compiler, unpacked } from "./compiler.js";
+import { Compiler } from "./compiler.js";
 import { byId, element } from "./dom.js";
 import { TextDrag } from "./drag.js";
 import { makeEditor } from "./editor.js";
@@ -24,9 +24,8 @@ const parts = { frame: FRAME, worker: WORKER };
 const shown = { pages: [], name: null };
 
 async function start() {
-  const base64 = byId("module").textContent.trim();
+  const compiler = new Compiler(parts.worker, byId("module").textContent.trim());
   const framed = View.ready(byId("frame"), parts.frame);
-  const compiler = new Compiler(parts.worker, await unpacked(base64));
   const [examples, words] = (await Promise.all([compiler.ask({ do: "examples" }), compiler.ask({ do: "words" })])).map(JSON.parse);
   await framed;
   const root = byId("editor").attachShadow({ mode: "open" });
