@@ -6,8 +6,8 @@ use serde_json::{Value, json};
 use crate::document::FILE;
 use crate::page::{arguments, positions, shown};
 
-/// Returns the table of each function over the range of the first input: the bits of all values as
-/// hexadecimal numbers.
+/// Returns the table of each function over the range of the first input, for all mechanisms that have
+/// one: the bits of all values as hexadecimal numbers.
 ///
 /// # Errors
 ///
@@ -17,7 +17,11 @@ pub(crate) fn values(text: &str, steps: usize) -> Result<String, String> {
     let mechanisms = compile(FILE, text).map_err(|error| error.to_string())?;
     let mut tables = Vec::new();
     for mechanism in mechanisms {
-        let mechanism = shown(&source, mechanism)?.with_separate_multiply_adds();
+        // A mechanism without an input has no page.
+        let Ok(mechanism) = shown(&source, mechanism) else {
+            continue;
+        };
+        let mechanism = mechanism.with_separate_multiply_adds();
         for function in 0..mechanism.headings().len() {
             tables.push(table(&mechanism, function, steps)?);
         }

@@ -24,21 +24,36 @@ thread_local! {
 fn with_document<R>(text: &str, ask: impl FnOnce(&Document, &Positions<'_>) -> R) -> R {
     DOCUMENT.with_borrow_mut(|stored| {
         let document = stored.get_or_insert_with(|| Document::new(FILE, text));
-        if document.text() != text {
+        if document.text() != text || !document.is_solved() {
             document.set_text(text);
         }
         ask(document, &Positions::new(text))
     })
 }
 
+/// Returns the messages about words and names, and the last ones about the solution, without solving
+/// the text: in milliseconds.
+pub(crate) fn first_messages(text: &str) -> Vec<Value> {
+    DOCUMENT.with_borrow_mut(|stored| {
+        let document = stored.get_or_insert_with(|| Document::new(FILE, ""));
+        if document.text() != text {
+            // The solution is asked for next.
+            let _ = document.read(text);
+        }
+        shown_messages(document, &Positions::new(text))
+    })
+}
+
+fn shown_messages(document: &Document, positions: &Positions<'_>) -> Vec<Value> {
+    let diagnostics = document.diagnostics().iter();
+    diagnostics
+        .map(|diagnostic| message(diagnostic, positions))
+        .collect()
+}
+
 /// Returns all messages about a text: places, severity, text, and changes that follow the advice.
 pub(crate) fn messages(text: &str) -> Vec<Value> {
-    with_document(text, |document, positions| {
-        let diagnostics = document.diagnostics().iter();
-        diagnostics
-            .map(|diagnostic| message(diagnostic, positions))
-            .collect()
-    })
+    with_document(text, shown_messages)
 }
 
 fn message(diagnostic: &Diagnostic, positions: &Positions<'_>) -> Value {

@@ -11,6 +11,7 @@ use crate::{analysis, benchmark, bits, document, examples, exports};
 /// | `do` | further fields | answer |
 /// |---|---|---|
 /// | `analyse` | `text` | lines: messages with their places, then data and programs of each page |
+/// | `messages` | `text` | messages that need no solution, and those of the last one |
 /// | `hover` | `text`, `at` | the description of a word as Markdown, with its place |
 /// | `complete` | `text`, `at` | words that can be written |
 /// | `signature` | `text`, `at` | the call around a place with its arguments, or `null` |
@@ -39,6 +40,7 @@ fn answered(request: &Value) -> Result<String, String> {
     let count = |name: &str| request[name].as_u64().unwrap_or_default() as usize;
     match text("do") {
         "analyse" => Ok(analysis::analysis(text("text"))),
+        "messages" => Ok(json!({ "messages": document::first_messages(text("text")) }).to_string()),
         "hover" => Ok(document::hover(text("text"), count("at"))),
         "signature" => Ok(document::signature(text("text"), count("at"))),
         "hints" => Ok(document::hints(text("text"))),

@@ -10,5 +10,7 @@ mod page;
 mod phone;
 mod renewed;
 mod shown;
+mod size;
 mod speed;
+mod stopped;
 mod values;

@@ -214,29 +214,6 @@ fn files_are_exported() {
     shown.page.assert_quiet();
 }
 
-#[test]
-fn a_computation_that_does_not_end_is_stopped() {
-    let Some(mut shown) = Shown::open() else {
-        return;
-    };
-    let text = json!(shown.text());
-    // Years of work for the worker.
-    shown.page.value(&format!(
-        "void playground.compiler.ask({{ do: 'sweep', text: {text}, function: 'motion', positions: 100000, repeats: 1e15 }})"
-    ));
-    shown.type_after("link rod: k, q", " ");
-    shown.page.wait("!document.getElementById('busy').hidden");
-    // The page stays alive meanwhile.
-    assert_eq!(shown.page.number("1 + 1"), 2.0);
-    shown.page.click("#stop");
-    shown.page.wait("document.getElementById('busy').hidden");
-    shown.after(|page| {
-        page.value("playground.editor.view.dispatch({ changes: { from: 0, insert: '// ' } })")
-    });
-    assert_eq!(shown.messages(), "");
-    shown.page.assert_quiet();
-}
-
 /// Tabs on a phone, and pictures in light and dark: contrast of words on their ground.
 #[test]
 fn phones_and_dark_rooms_are_served() {

@@ -102,11 +102,13 @@ export class Keeping {
 
   #list() {
     const group = (label, options) => element("optgroup", { label }, ...options);
-    const examples = this.#examples.map(({ name, about }) => element("option", { value: `example ${name}` }, `${name}: ${about}`));
+    const option = ({ name, about }) => element("option", { value: `example ${name}` }, `${name}: ${about}`);
+    const labels = [...new Set(this.#examples.map((example) => example.group))];
+    const examples = labels.map((label) => group(label, this.#examples.filter((example) => example.group === label).map(option)));
     const now = this.#editor.text();
     const earlier = this.#storage.earlier().filter(({ text }) => text !== now);
     const texts = earlier.map((kept) => element("option", { value: `earlier ${kept.id}` }, earlierText(kept)));
-    byId("examples").replaceChildren(element("option", { value: "" }, "Examples"), group("Examples", examples), ...(texts.length > 0 ? [group("Earlier texts", texts)] : []));
+    byId("examples").replaceChildren(element("option", { value: "" }, "Examples"), ...examples, ...(texts.length > 0 ? [group("Earlier texts", texts)] : []));
   }
 }
 

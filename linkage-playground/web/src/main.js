@@ -4,7 +4,7 @@ import { Analyses } from "./analyses.js";
 import { Assist } from "./assist.js";
 import { showSteps, startButtons } from "./buttons.js";
 import { format, offerChanges } from "./changes.js";
-import { Compiler, unpacked } from "./compiler.js";
+import { Compiler } from "./compiler.js";
 import { byId, element } from "./dom.js";
 import { TextDrag } from "./drag.js";
 import { makeEditor } from "./editor.js";
@@ -15,7 +15,7 @@ import { showTab, startBorder, startTabs, startTheme } from "./layout.js";
 import { showMessages } from "./messages.js";
 import { Shaping } from "./shaping.js";
 import { fragmentOf } from "./share.js";
-import { say, sayCurrent, sayMessages, sayStale } from "./status.js";
+import { say, sayCurrent, sayDone, sayLate, sayMessages, sayMistake, sayStopped } from "./status.js";
 import { View } from "./view.js";
 
 const parts = { frame: FRAME, worker: WORKER };
@@ -24,9 +24,8 @@ const parts = { frame: FRAME, worker: WORKER };
 const shown = { pages: [], name: null };
 
 async function start() {
-  const base64 = byId("module").textContent.trim();
+  const compiler = new Compiler(parts.worker, byId("module").textContent.trim());
   const framed = View.ready(byId("frame"), parts.frame);
-  const compiler = new Compiler(parts.worker, await unpacked(base64));
   const [examples, words] = (await Promise.all([compiler.ask({ do: "examples" }), compiler.ask({ do: "words" })])).map(JSON.parse);
   await framed;
   const root = byId("editor").attachShadow({ mode: "open" });
@@ -34,7 +33,7 @@ async function start() {
   const assist = new Assist(compiler, text);
   const editor = makeEditor(root, { changed, assist, words });
   const drag = new TextDrag(editor);
-  const analyses = new Analyses(compiler, { text, show, waiting: (long) => (byId("busy").hidden = !long) });
+  const analyses = new Analyses(compiler, { text, show, tell, late, stopped });
   // Changes of the text that are shown already are not analysed.
   let quiet = false;
 
@@ -87,19 +86,35 @@ async function start() {
     editor.go(place);
   }
 
-  function show(source, { messages, pages }) {
+  function tell(source, messages) {
     editor.tell(messages);
     showMessages(messages, source, go);
     sayMessages(messages);
+  }
+
+  function show(source, { messages, pages }) {
+    tell(source, messages);
+    sayDone();
     assist.hintsLater((found) => showHints(editor.view, found));
     if (pages.length === 0) outdated(messages, source);
     else showSafely(pages);
     document.body.dataset.shown = String(Number(document.body.dataset.shown ?? 0) + 1);
   }
 
+  // What is shown is older than the text, for one of three reasons.
   function outdated(messages, source) {
     view.outdated();
-    sayStale(messages, source, view.handle !== null, go);
+    sayMistake(messages, source, view.handle !== null, go);
+  }
+
+  function late() {
+    view.outdated();
+    sayLate(view.handle !== null, () => analyses.stop());
+  }
+
+  function stopped() {
+    view.outdated();
+    sayStopped(view.handle !== null, () => analyses.want());
   }
 
   // A page that fails leaves the text alive.
@@ -143,7 +158,7 @@ async function start() {
 
   async function exported(format) {
     const answer = await compiler.ask({ do: "export", text: text(), format, mechanism: shown.name });
-    const files = answer === null ? { failure: "stopped" } : JSON.parse(answer);
+    const files = answer === null ? { failure: "The export was stopped, by hand or by a change of the text." } : JSON.parse(answer);
     if (Array.isArray(files)) return files;
     throw new Error(files.failure ?? files.panic);
   }
@@ -214,10 +229,7 @@ async function start() {
     shape,
     format: () => format(compiler, editor, say),
     offer: () => offerChanges(compiler, editor, say),
-    stop: () => {
-      compiler.stop();
-      say("Stopped. The next key starts the compiler again.");
-    },
+    stop: () => analyses.stop(),
   });
   const keeping = new Keeping(editor, examples);
   addEventListener("hashchange", async () => opened(await keeping.openAddress()));

@@ -22,3 +22,10 @@ export async function started(module) {
   };
   return { ask, bytes: () => memory.buffer.byteLength };
 }
+
+// The base64 of a compressed module as a module.
+export async function unpacked(base64) {
+  const bytes = Uint8Array.from(atob(base64), (letter) => letter.charCodeAt(0));
+  const stream = new Blob([bytes]).stream().pipeThrough(new DecompressionStream("gzip"));
+  return WebAssembly.compile(await new Response(stream).arrayBuffer());
+}

@@ -1,6 +1,6 @@
 // The worker: it answers requests one after the other, so that the page never waits for the compiler.
 
-import { started } from "./module.js";
+import { started, unpacked } from "./module.js";
 
 // Descriptions of mechanisms stay in the memory of a module. One that has grown so far is replaced.
 const MOST_BYTES = 400e6;
@@ -8,17 +8,28 @@ const MOST_BYTES = 400e6;
 let module = null;
 let running = null;
 
+// The page begins meanwhile. It gives the module to further workers.
+async function unpack(packed) {
+  module = await unpacked(packed);
+  postMessage({ module });
+  return started(module);
+}
+
 addEventListener("message", async ({ data }) => {
-  if (data.module) {
-    module = data.module;
+  const { packed, id, request } = data;
+  if (packed !== undefined) {
+    running = unpack(packed);
     return;
   }
-  const { id, request } = data;
-  running ??= started(module);
+  if (data.module !== undefined) {
+    module = data.module;
+    // The first request does not wait for it.
+    running = started(module);
+    return;
+  }
   const { ask, bytes } = await running;
-  const begin = performance.now();
   const answer = ask(request);
   const panicked = answer.startsWith('{"panic"');
-  if (panicked || bytes() > MOST_BYTES) running = null;
-  postMessage({ id, answer, took: performance.now() - begin });
+  if (panicked || bytes() > MOST_BYTES) running = started(module);
+  postMessage({ id, answer });
 });

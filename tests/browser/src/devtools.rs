@@ -85,6 +85,17 @@ impl DevTools {
         }
     }
 
+    /// Waits for an event.
+    ///
+    /// # Panics
+    /// If the browser is silent before.
+    pub(crate) fn wait(&mut self, method: &str) {
+        while self.events.iter().all(|event| event["method"] != method) {
+            let event = self.receive(method);
+            self.events.push(event);
+        }
+    }
+
     fn receive(&mut self, method: &str) -> Value {
         loop {
             let message = self

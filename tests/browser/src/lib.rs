@@ -9,6 +9,7 @@ mod held;
 mod input;
 mod page;
 mod pdf;
+mod processor;
 pub mod samples;
 mod sight;
 
@@ -17,4 +18,5 @@ pub use gallery::{Entry, entries, folder, some};
 pub use input::{Button, Key};
 pub use page::{Page, REPORT};
 pub use pdf::printed_words;
+pub use processor::processor_times;
 pub use sight::{DESKTOP, PHONE, SMALL_PHONE, Screen};

@@ -1,4 +1,4 @@
-//! Times, in a long run: `cargo test --release -p linkage-playground speed -- --ignored --nocapture`.
+//! Times of sweeps.
 
 use std::time::Instant;
 
@@ -24,6 +24,8 @@ const K1: &str = "
 const POSITIONS: usize = 1024;
 const SWEEPS: usize = 1000;
 const ROUNDS: usize = 9;
+/// The largest ratio of the times.
+const LIMIT: f64 = 3.0;
 
 /// The shortest times of a sweep in nanoseconds for a position: in a browser's engine, and here.
 #[test]
@@ -51,4 +53,5 @@ fn speed_of_sweeps() {
         "K1b: {there:.2} ns in node, {here:.2} ns here, {:.2} times",
         there / here
     );
+    assert!(there / here <= LIMIT, "at most {LIMIT} times");
 }
