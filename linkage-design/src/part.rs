@@ -10,11 +10,11 @@ use linkage_core::bytes::digest;
 use linkage_runtime::DimensionSet;
 
 use super::DesignError;
-use super::builder::Design;
 use super::normal::Normal;
 use super::problem::{Evaluator, Problem};
 use super::quasi_random;
 use super::search::{BLOCK, Block};
+use super::settings::Settings;
 
 /// Starts at which the sums of two problems are compared.
 const PROBES: usize = 4;
@@ -22,8 +22,9 @@ const PROBES: usize = 4;
 /// Equal sums differ by no more than this part, by rounding on different processors.
 const SAME: f64 = 1e-6;
 
-/// Ends of descents from some starts of a design problem. [`Design::descend`] computes them, in any
-/// process; [`Design::known`] takes them, so that these descents are not made again.
+/// Ends of descents from some starts of a design problem.
+/// [`Design::descend`](crate::Design::descend) computes them, in any process;
+/// [`Design::known`](crate::Design::known) takes them, so that these descents are not made again.
 ///
 /// Parts may come in any number and order: the designs are equal to those of one search, to the
 /// last bit on equal processors.
@@ -57,31 +58,28 @@ impl PartialEq for Identity {
 }
 
 impl DesignPart {
-    /// A part without starts of the problem of a design.
+    /// A part without starts of a problem, and the dimensions that do not vary.
     pub(crate) fn new<M, A, const N: usize>(
-        design: &Design<'_, M, A, N>,
         problem: &Problem<'_, M, A, N>,
+        assemblies: &[A],
+        settings: &Settings<'_>,
+        nominal: &[f64; N],
     ) -> Self
     where
         M: DimensionSet<N> + Copy,
     {
-        let settings = &design.settings;
         let numbers = (settings.starts, settings.seed, settings.steps);
-        let titles = design.objectives.iter().map(|wanted| wanted.title());
+        let titles = problem.objectives.iter().map(|wanted| wanted.title());
         let titles: Vec<_> = titles.collect();
         // Rust's notation of numbers is exact.
         let text = format!(
             "{numbers:?} {titles:?} {:?} {:?} {:?} {}",
             problem.varied,
             problem.limits,
-            design.nominal.numbers(),
-            design.assemblies.len()
+            nominal,
+            assemblies.len()
         );
-        let probes = probes(
-            problem,
-            &design.assemblies,
-            (settings.seed, settings.starts),
-        );
+        let probes = probes(problem, assemblies, (settings.seed, settings.starts));
         Self {
             problem: Identity {
                 starts: settings.starts,
@@ -96,7 +94,7 @@ impl DesignPart {
     ///
     /// # Errors
     ///
-    /// `OtherProblem` if what is wanted, variables, bounds, starts, seed or steps differ; `Repeated`
+    /// `OtherProblem` if goals, conditions, variables, bounds, starts, seed or steps differ; `Repeated`
     /// if both have a start. Nothing changes then.
     pub fn merge(&mut self, part: &Self) -> Result<(), DesignError> {
         if self.problem != part.problem {

@@ -120,14 +120,16 @@ where
     /// # use linkage_runtime::DimensionSet;
     ///
     /// // In each process: a part, as bytes.
-    /// fn part<M, A, const N: usize>(problem: Design<'_, M, A, N>, k: usize, of: usize) -> Result<Vec<u8>, DesignError>
+    /// type Bytes = Vec<u8>;
+    /// fn part<M, A, const N: usize>(problem: Design<'_, M, A, N>, k: usize, of: usize) -> Result<Bytes, DesignError>
     /// # where M: DimensionSet<N> + Copy + Send + Sync, A: Clone + Send + Sync
     /// {
     ///     Ok(problem.part(k, of).descend()?.to_bytes())
     /// }
     ///
     /// // In one of them: the designs, as of one search.
-    /// fn whole<M, A, const N: usize>(mut problem: Design<'_, M, A, N>, parts: &[Vec<u8>]) -> Result<DesignSearch<M, A>, DesignError>
+    /// type Found<M, A> = Result<DesignSearch<M, A>, DesignError>;
+    /// fn whole<M, A, const N: usize>(mut problem: Design<'_, M, A, N>, parts: &[Bytes]) -> Found<M, A>
     /// # where M: DimensionSet<N> + Copy + Send + Sync, A: Clone + Send + Sync
     /// {
     ///     for part in parts {
@@ -156,7 +158,12 @@ where
         progress: &mut Option<Report<'a>>,
     ) -> Result<(DesignPart, bool), DesignError> {
         let (seed, steps) = (self.settings.seed, self.settings.steps);
-        let mut descents = DesignPart::new(self, problem);
+        let mut descents = DesignPart::new(
+            problem,
+            &self.assemblies,
+            &self.settings,
+            &self.nominal.numbers(),
+        );
         for part in &self.known {
             descents.merge(part)?;
         }
