@@ -22,6 +22,7 @@ mod options;
 mod remarks;
 mod results;
 mod skeleton;
+mod slot_bodies;
 mod space_vectors;
 mod urdf;
 mod wheel_relations;
@@ -46,6 +47,7 @@ use mjcf::Equations;
 use options::{Common, allowed};
 use remarks::{Format, closed, missed, remarks};
 use skeleton::{CONSTANTS, ChosenInput, POSITIONS, Skeleton};
+use slot_bodies::put_slots_second;
 use wheel_relations::relations;
 
 /// A range of an angle this near to a turn has no ends.
@@ -98,7 +100,8 @@ fn write(options: &Common, format: Format, errors: &[String]) -> Result<(), Fail
     still(input, &options.at)?;
     let arguments = all_arguments(&mechanism, function, &options.at)?;
     let course = ChosenInput { arguments, running };
-    let skeleton = Skeleton::new(&declared, &mechanism, &assembly, course)?;
+    let mut skeleton = Skeleton::new(&declared, &mechanism, &assembly, course)?;
+    put_slots_second(&mut skeleton);
     let named = RunningName {
         name: input.name,
         unit: input.unit,

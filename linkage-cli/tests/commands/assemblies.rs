@@ -118,6 +118,43 @@ fn assemblies_are_listed_where_the_range_is_refused() {
     assert!(circuits.lines().count() > 8, "{circuits}");
 }
 
+/// A scissor lift of two stages, drawn with rounding errors. Its first stage can fold, and then the
+/// links of the second one lie on each other.
+const LIFT: &str = "
+pub struct Lift {
+    unit mm;
+    input phi = 30deg in 10deg..70deg;
+    joint a = (0mm, 0mm), o = (900mm, 0mm), k = (900mm, 600mm);
+    joint b = (519.615242270663mm, 0mm), c = (259.807621135332mm, 150mm);
+    joint d = (0mm, 300mm), e = (519.615242270663mm, 300mm), f = (259.807621135332mm, 450mm);
+    joint g = (0mm, 600mm), h = (519.615242270663mm, 600mm);
+    link frame: a, o;
+    link one: a, c, e at phi;
+    link two: b, c, d;
+    link three: d, f, h;
+    link four: e, f, g;
+    link top: g, k;
+    slider x: b on frame along a, o;
+    slider y: h on top along g, k;
+}
+";
+
+#[test]
+fn folded_links_are_one_line() {
+    let folder = folder("folded");
+    fs::write(folder.join("lift.linkage"), LIFT).expect("it is written");
+    let circuits = printed(&folder, &["circuits", "lift.linkage"]);
+    let lines: Vec<&str> = circuits.lines().collect();
+    assert_eq!(lines.len(), 7, "{circuits}");
+    let start = "undetermined from 10 deg to 70 deg, where two.angle = 30deg and x = ";
+    let joint =
+        "mm at phi = 30 deg: joint `f` of `four` (three.angle, four.angle; RRR), whose links";
+    assert!(
+        lines[6].starts_with(start) && lines[6].contains(joint),
+        "{circuits}"
+    );
+}
+
 /// A coupled group whose reference is a thousandth of a degree beyond a turning point.
 const NEAR_TURNING_POINT: &str = "
 pub struct Near {

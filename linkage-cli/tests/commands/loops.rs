@@ -29,7 +29,10 @@ fn printed_loops_are_the_same_mechanism() {
     let loops = printed(&folder, &["loops", "links.mech"]);
     assert!(!loops.contains("link ") && !loops.contains("joint "));
     fs::write(folder.join("loops.mech"), &loops).expect("it can be written");
-    let check = |file| printed(&folder, &["check", file]);
+    let check = |file| {
+        let text = printed(&folder, &["check", file]);
+        text.lines().map(without_loops).collect::<Vec<_>>()
+    };
     assert_eq!(check("links.mech"), check("loops.mech"));
     let table = |file| {
         let torque = [
@@ -47,6 +50,17 @@ fn printed_loops_are_the_same_mechanism() {
     assert_eq!(table("links.mech"), table("loops.mech"));
     // Loops stand for themselves.
     assert_eq!(printed(&folder, &["loops", "loops.mech"]), loops);
+}
+
+/// A line of a table of groups without the cell of their loops, which joints are in the other text.
+fn without_loops(line: &str) -> String {
+    let cells = line.split("  ").map(str::trim);
+    let mut cells: Vec<&str> = cells.filter(|cell| !cell.is_empty()).collect();
+    let is_row = cells.len() > 5;
+    if is_row {
+        cells.remove(cells.len() - 3);
+    }
+    cells.join("  ")
 }
 
 #[test]

@@ -233,6 +233,44 @@ fn a_pin_in_a_slot_gets_a_block() {
     assert!(!text.contains("range="));
 }
 
+/// A plate with two slots on pins of the frame.
+const PLATE: &str = "
+pub struct Plate {
+    unit mm;
+    input phi = 30deg in 5deg..80deg;
+    joint p = (0mm, 0mm), q = (60mm, 0mm), m = (45mm, 25.980762113533mm);
+    joint e = (88.301270189222mm, 50.980762113533mm), f = (25mm, 60.621778264911mm);
+    link frame: p, q;
+    link plate: m, e, f at phi mass 1kg at f;
+    slider u: p on plate along m, e;
+    slider v: q on plate along m, f;
+}
+";
+
+#[test]
+fn a_link_on_slots_alone_slides_on_a_block() {
+    let folder = with("mjcf_plate", PLATE);
+    let output = linkage(&folder, &["mjcf", "own.mech"]);
+    let text = String::from_utf8(output.stdout).expect("text");
+    let plate = place(&text, &["body name=\"u_block\"", "body name=\"plate\""]);
+    assert!(is_near(&plate, &[0.045, 0.025980762113533, 0.0], 1e-12));
+    let axis = numbers(attribute(&text, "\"plate_joint\"", "axis"));
+    let [cos, sin] = [0.75_f64.sqrt(), 0.5];
+    assert!(is_near(&axis, &[cos, sin, 0.0], 1e-12), "{axis:?}");
+    let [a, b] = [
+        place(&text, &["\"v_a0\""]),
+        place(
+            &text,
+            &[
+                "body name=\"u_block\"",
+                "body name=\"plate\"",
+                "body name=\"v_block\"",
+            ],
+        ),
+    ];
+    assert!(is_near(&a, &b, 1e-12), "{a:?} {b:?}");
+}
+
 #[test]
 fn balls_are_balls_or_three_hinges() {
     let folder = with("mjcf_space", SPACE);

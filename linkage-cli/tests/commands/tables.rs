@@ -75,7 +75,10 @@ fn gaps_are_empty_cells_and_are_told() {
         "{said}"
     );
     assert!(
-        said.contains("\nnote: at 1 of 5 positions a number is missing"),
+        said.contains(
+            "\nnote: at 1 of 5 positions a number is missing, first at `phi = 270 deg`: \
+             loop 1 (`theta` and `slide`) misses by 7 mm\n"
+        ),
         "{said}"
     );
     let text = String::from_utf8_lossy(&output.stdout);

@@ -180,12 +180,17 @@ impl<'m> Skeleton<'m> {
         self.arguments[self.running]
     }
 
+    /// The function of positions at a value of the running input.
+    pub(super) fn values_at(&self, x: f64) -> Values {
+        let mut arguments = self.arguments.clone();
+        arguments[self.running] = x;
+        Values::of_call(self.mechanism, self.assembly, self.function, &arguments)
+    }
+
     /// The poses of all bodies at a value of the running input; not finite where the mechanism has
     /// no position.
     pub(super) fn poses(&self, x: f64) -> Vec<Pose> {
-        let mut arguments = self.arguments.clone();
-        arguments[self.running] = x;
-        let values = Values::of_call(self.mechanism, self.assembly, self.function, &arguments);
+        let values = self.values_at(x);
         let orientations = self.orientations(&values);
         let mut poses = vec![FIXED; self.links.len()];
         for &index in &self.order {
