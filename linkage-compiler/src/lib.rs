@@ -77,6 +77,7 @@ use linkage_language::{diagnostic, model, syntax};
 use proc_macro2::{Ident, Span, TokenStream};
 use quote::quote;
 
+pub use diagnostic::characters::{UnreadableCharacter, unreadable_character};
 pub use diagnostic::text::{nearest, short_words, shortened};
 pub use diagnostic::{EditLocation, Message, SourceEdit, SourceSpan, Suggestion};
 pub use driver::{Analysed, Checked, Driver};

@@ -4,6 +4,7 @@ use std::ops::Range;
 
 use linkage_compiler::{Checked, Message, SourceSpan, check_all, check_names};
 use linkage_engine::{MechanismCall, Source};
+use linkage_language::diagnostic::characters::unreadable_character;
 use proc_macro2::{TokenStream, extra::invalidate_current_thread_spans};
 
 use crate::diagnostics::{Diagnostic, Related, Severity};
@@ -147,15 +148,22 @@ fn unreadable(text: &str, message: &str) -> Analysis {
     let rest = text.get(start..).unwrap_or_default();
     let found = rest.chars().next();
     let end = start + found.map_or(0, char::len_utf8);
-    let message = match found {
-        Some(letter) if !letter.is_ascii() => {
-            format!("the character `{letter}` means nothing here")
-        }
-        _ => {
-            "this cannot be read: a bracket has no partner, or a text or comment no end".to_owned()
-        }
+    let Some(unreadable) = unreadable_character(text, start) else {
+        let message = "this cannot be read: a bracket has no partner, or a text or comment no end";
+        return only(Diagnostic::error(start..end, message));
     };
-    only(Diagnostic::error(start..end, &message))
+    let fixes = unreadable.replacement.map(|text| Fix {
+        title: format!("write `{text}`"),
+        edits: vec![Edit {
+            range: start..end,
+            text: text.to_owned(),
+        }],
+    });
+    only(Diagnostic {
+        help: unreadable.help,
+        fixes: fixes.into_iter().collect(),
+        ..Diagnostic::error(start..end, &unreadable.fact)
+    })
 }
 
 fn only(diagnostic: Diagnostic) -> Analysis {

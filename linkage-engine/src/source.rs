@@ -6,6 +6,7 @@ use std::ops::Range;
 use std::path::Path;
 
 use annotate_snippets::{AnnotationKind, Level, Renderer, Snippet};
+use linkage_compiler::{UnreadableCharacter, unreadable_character};
 use proc_macro2::{LexError, TokenStream, TokenTree};
 
 use crate::error::SourceError;
@@ -152,11 +153,15 @@ fn collect(tokens: TokenStream, depth: usize, calls: &mut Vec<MechanismCall>) ->
 fn no_tokens(name: &str, text: &str, error: &LexError) -> String {
     let start = error.span().byte_range().start;
     let found = text.get(start..).and_then(|rest| rest.chars().next());
-    let title = match found {
-        Some(letter) if !letter.is_ascii() => {
-            format!("the character `{letter}` means nothing here")
-        }
-        _ => {
+    let unreadable = unreadable_character(text, start);
+    let title = match unreadable {
+        Some(UnreadableCharacter {
+            fact,
+            help: Some(help),
+            ..
+        }) => format!("{fact}\nhelp: {help}"),
+        Some(unreadable) => unreadable.fact,
+        None => {
             "this cannot be read: a bracket has no partner, or a text or comment no end".to_owned()
         }
     };

@@ -164,7 +164,11 @@ fn what_is_no_token_is_told_with_its_place() {
     for (text, told) in [
         (
             "struct A {\n    param a = 1mm ± 1um;\n}",
-            "error: the character `±` means nothing here\n --> a.mech:2:19\n",
+            "error: the character `±` means nothing here\n       help: write `+-`\n --> a.mech:2:19\n",
+        ),
+        (
+            "struct A {\n    param a = 1mm € 1um;\n}",
+            "error: the character `€` means nothing here\n --> a.mech:2:19\n",
         ),
         (
             "struct A {\n    param a = (1mm;\n}",

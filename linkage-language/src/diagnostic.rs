@@ -5,6 +5,7 @@ use std::fmt::Display;
 use proc_macro2::{Ident, TokenStream};
 use quote::{quote, quote_spanned};
 
+pub mod characters;
 mod origin;
 mod sorted;
 mod suggestion;

@@ -2,14 +2,15 @@
 
 mod compared;
 
-use std::fs::{self, OpenOptions};
-use std::io::{Read, Write};
+use std::fs;
+use std::io::Read;
 use std::path::{Path, PathBuf};
 
 use clap::Args;
 use linkage_import::{Format, Import, import};
 
 use self::compared::compared;
+use super::new::put_new;
 use super::output::print;
 use crate::failure::{Failure, listed};
 
@@ -78,11 +79,7 @@ pub(super) fn run(options: &Options) -> Result<(), Failure> {
     let Import { text, warnings, .. } = &imported;
     match &options.output {
         None => print(text)?,
-        Some(file) => {
-            let made = OpenOptions::new().write(true).create_new(true).open(file);
-            let written = made.and_then(|mut made| made.write_all(text.as_bytes()));
-            written.map_err(|error| Failure::file("write", file, &error))?;
-        }
+        Some(file) => put_new(file, text)?,
     }
     let comparison = compared(&imported);
     for warning in warnings.iter().chain(&comparison.warnings) {

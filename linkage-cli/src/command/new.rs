@@ -33,9 +33,7 @@ pub(super) fn run(options: &Options) -> Result<(), Failure> {
     };
     let Template { about, text, .. } = template(&options.from)?;
     let file = with_ending(file)?;
-    let made = OpenOptions::new().write(true).create_new(true).open(&file);
-    let written = made.and_then(|mut made| made.write_all(text.as_bytes()));
-    written.map_err(|error| refused(&file, &error))?;
+    put_new(&file, text)?;
     let file = file.display();
     print(&format!(
         "{about} is in `{file}`: change it, then `linkage check {file}`\n"
@@ -58,6 +56,13 @@ fn with_ending(file: &Path) -> Result<PathBuf, Failure> {
         ))),
         Some(_) => Ok(file.to_owned()),
     }
+}
+
+/// Writes a text to a file that is not there yet.
+pub(super) fn put_new(file: &Path, text: &str) -> Result<(), Failure> {
+    let made = OpenOptions::new().write(true).create_new(true).open(file);
+    let written = made.and_then(|mut made| made.write_all(text.as_bytes()));
+    written.map_err(|error| refused(file, &error))
 }
 
 /// Returns the reason why a file was not written, and the way out.

@@ -13,6 +13,8 @@ mod driven_joints;
 mod expression_text;
 mod heading;
 mod inertial;
+mod joint_polynomials;
+mod joint_relations;
 mod jointed_links;
 mod mass;
 mod metres;
@@ -38,20 +40,18 @@ use super::range;
 use super::sweep::{all_arguments, running, still};
 use crate::failure::Failure;
 use crate::normal::normal;
-use coupling::{Coupling, couplings};
+use coupling::couplings;
 use declared::Declared;
 use driven_joints::{Motion, RunningName};
-use heading::{Driver, Heading};
+use heading::{Driver, Heading, TURN};
 use inertial::inertials;
+use joint_polynomials::{exact_tree, with_polynomials};
 use mjcf::Equations;
 use options::{Common, allowed};
 use remarks::{Format, closed, missed, remarks};
 use skeleton::{CONSTANTS, ChosenInput, POSITIONS, Skeleton};
 use slot_bodies::put_slots_second;
 use wheel_relations::relations;
-
-/// A range of an angle this near to a turn has no ends.
-const TURN: f64 = 1e-9;
 
 /// Options of `linkage urdf`.
 #[derive(Debug, Args)]
@@ -108,13 +108,6 @@ fn write(options: &Common, format: Format, errors: &[String]) -> Result<(), Fail
     };
     let ends = options.range(&mechanism, input, skeleton.reference())?;
     let motion = Motion::over(&skeleton, ends, named, options.drive.as_deref())?;
-    let relations = relations(
-        &declared,
-        &mechanism,
-        &assembly,
-        &skeleton,
-        &motion.coordinates,
-    );
     let inertials = inertials(&skeleton);
     let mut remarks = remarks(&declared, &skeleton, &motion, ends, named);
     remarks.extend(inertials.completed(&skeleton));
@@ -122,9 +115,17 @@ fn write(options: &Common, format: Format, errors: &[String]) -> Result<(), Fail
     for remark in &inertials.remarks {
         eprintln!("note: {name}: {remark}");
     }
+    let free = match format == Format::Urdf && errors.is_empty() && options.moves_all_inputs() {
+        true => exact_tree(&mechanism, &skeleton, &motion, format.degree()),
+        false => None,
+    };
     let is_coupled = format == Format::Urdf || !errors.is_empty();
-    let couplings = match is_coupled {
-        true => {
+    let equations = match (free, is_coupled) {
+        (Some(relations), _) => {
+            remarks.push("each input moves a joint; the others follow them exactly".to_owned());
+            Equations::Loops(relations)
+        }
+        (None, true) => {
             let allowed = allowed(&mechanism, errors, &skeleton)?;
             let found = couplings(&motion, format.degree(), allowed, skeleton.size());
             let found = found.map_err(|all| missed(&all, &motion, named, format))?;
@@ -135,15 +136,17 @@ fn write(options: &Common, format: Format, errors: &[String]) -> Result<(), Fail
                 named.written(ends[0]),
                 named.written(ends[1])
             ));
-            Some(found)
+            Equations::Polynomials(found)
         }
-        false => {
-            closed(&mechanism, &skeleton, &relations, &motion)?;
+        (None, false) => {
+            let wheels = relations(&declared, &mechanism, &assembly, &skeleton, &motion);
+            let found = with_polynomials(wheels, &mechanism, &skeleton, &motion, format.degree());
+            closed(&mechanism, &skeleton, &found, &motion)?;
             remarks.push(
                 "loops are constraints between sites, which meet in this position; MuJoCo's constraints are soft"
                     .to_owned(),
             );
-            None
+            Equations::Loops(found)
         }
     };
     let zero = match format {
@@ -151,24 +154,10 @@ fn write(options: &Common, format: Format, errors: &[String]) -> Result<(), Fail
         Format::Mjcf => shift(&motion, input, skeleton.reference()),
     };
     let heading = model_heading(name, zero, &motion, ends, remarks, input);
-    let text = match (format, &couplings) {
-        (Format::Urdf, found) => {
-            let found: &[Coupling] = found.as_deref().unwrap_or_default();
-            urdf::text(&skeleton, &heading, &inertials, &motion.coordinates, found)
-        }
-        (Format::Mjcf, found) => {
-            let closing = match found {
-                Some(found) => Equations::Polynomials(found),
-                None => Equations::Loops(&relations),
-            };
-            mjcf::text(
-                &skeleton,
-                &heading,
-                &inertials,
-                &closing,
-                &motion.coordinates,
-            )
-        }
+    let coordinates = &motion.coordinates;
+    let text = match format {
+        Format::Urdf => urdf::text(&skeleton, &heading, &inertials, coordinates, &equations),
+        Format::Mjcf => mjcf::text(&skeleton, &heading, &inertials, &equations, coordinates),
     };
     put(options.output.as_deref(), options.chosen.file(), |out| {
         out.write_all(text.as_bytes())

@@ -45,9 +45,10 @@ fn an_imported_drawing_is_checked() {
         &["import", "four bar.csv", "-o", "four_bar.mech"],
         1,
     );
-    assert!(
-        again.starts_with("error: cannot write `four_bar.mech`: "),
-        "{again}"
+    assert_eq!(
+        again,
+        "error: cannot write `four_bar.mech`: it exists, and no file is replaced\n\
+         help: give another name, or remove the file\n"
     );
 }
 

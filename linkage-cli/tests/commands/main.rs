@@ -4,6 +4,7 @@ mod arguments;
 mod assemblies;
 mod bad_input;
 mod c;
+mod couplings;
 mod drawings;
 mod drawn;
 mod files;

@@ -167,6 +167,22 @@ fn functions_that_are_meant() {
 }
 
 #[test]
+fn signs_of_formulas() {
+    let slider = edited("slider", "input phi = 30deg", "input phi = 30°");
+    mended(slider, "input phi = 30", "write `deg`");
+    let slider = edited("slider", "120mm +- 20um", "120mm ± 20um");
+    mended(slider, "120mm ", "write `+-`");
+}
+
+#[test]
+fn slips_in_numbers() {
+    let slider = edited("slider", "120mm +- 20um", "120mmm +- 20um");
+    mended(slider, "120m", "write `120mm`");
+    let slider = edited("slider", "120mm +- 20um", "120,5mm +- 20um");
+    mended(slider, "120,", "write `120.5mm`");
+}
+
+#[test]
 fn names_that_are_meant() {
     let slider = edited("slider", "polar(crank, phi)", "polar(cank, phi)");
     mended(slider, "polar(cank", "write `crank`");

@@ -9,17 +9,15 @@ use crate::placement::{AXES, Vector, difference, dot, length, scaled};
 const ON_LINE: f64 = 1e-6;
 
 impl Writer<'_, '_> {
-    /// Writes the bodies, if one of them has a mass and none floats.
+    /// Writes the bodies with their masses, if none of them floats.
     pub(super) fn masses(&mut self) {
         let robot = self.wording.chain.robot;
-        if robot.bodies.iter().all(|body| body.mass().is_none()) {
-            return;
-        }
         let joints = robot.bodies.iter().filter_map(|body| body.joint.as_ref());
         if joints.clone().any(|joint| joint.motion == Motion::Free) {
-            self.sections
-                .warnings
-                .push("masses are left out, because a body floats".to_owned());
+            if robot.bodies.iter().any(|body| body.mass().is_some()) {
+                let warning = "masses are left out, because a body floats";
+                self.sections.warnings.push(warning.to_owned());
+            }
             return;
         }
         if let Some(gravity) = robot.gravity {

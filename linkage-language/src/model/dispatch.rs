@@ -2,7 +2,7 @@
 
 use super::function_call::resolve_call;
 use crate::model::expression::composite::{make_component, make_entry, make_vector};
-use crate::model::expression::link_messages::refuse_unknown_quantity;
+use crate::model::expression::link_messages::{refuse_misspelt_link, refuse_unknown_quantity};
 use crate::model::expression::literal::resolve_number;
 use crate::model::expression::look_up::look_up_name;
 use crate::model::expression::nodes::{error_expr, make_expr};
@@ -59,15 +59,13 @@ pub(super) fn resolve_expression(
             None => {
                 if let syntax::ExprKind::Name(link) = &value.kind
                     && scope.names.find(&link.to_string()).is_none()
-                    && refuse_unknown_quantity(
-                        &scope.parts,
-                        &scope.members.links,
-                        sink,
-                        link,
-                        field,
-                    )
                 {
-                    return error_expr(sink, span);
+                    let (parts, links) = (&scope.parts, &scope.members.links);
+                    if refuse_unknown_quantity(parts, links, sink, link, field)
+                        || refuse_misspelt_link(parts, links, sink, link, field)
+                    {
+                        return error_expr(sink, span);
+                    }
                 }
                 let value = resolve_expression(scope, sink, value, context);
                 make_component(&scope.names, sink, value, field, span)

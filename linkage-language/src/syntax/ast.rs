@@ -31,6 +31,8 @@ pub struct MechanismDef {
     pub warnings: Diagnostics,
     /// True after a mistake in joints and links: their bodies and quantities are unknown.
     pub links_are_lost: bool,
+    /// True after a mistake in the name of a joint, link or slider: any unknown name may be meant.
+    pub link_names_are_lost: bool,
 }
 
 impl MechanismDef {

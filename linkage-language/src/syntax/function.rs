@@ -67,6 +67,10 @@ impl Parser<'_> {
                 if parser.stream.is_punct(0, ':') {
                     return parser.expected("`,` or `)`", "leave the type out: inputs are scalars");
                 }
+                if parser.stream.is_punct(0, '=') {
+                    let help = "leave the value out: items of the struct give it, as `argument load = 100N;`";
+                    return parser.expected("`,` or `)`", help);
+                }
                 if !parser.stream.eat_punct(',') && !parser.stream.at_end() {
                     return parser.expected("`,` or `)`", "");
                 }
@@ -108,12 +112,17 @@ impl Parser<'_> {
     fn quantity(&mut self, quantities: &mut Vec<QuantityDef>) -> Parsed<()> {
         let attributes = self.attributes()?;
         self.only_documentation(&attributes, "a quantity");
+        let has_equals = self.stream.ident(0).is_some() && self.stream.is_punct(1, '=');
         let named = self.stream.is_punct(1, ':') && !self.stream.is_punct(2, ':');
-        if !named {
+        if !named && !has_equals {
             quantities.push(self.shorthand(attributes)?);
             return self.end_of_quantity();
         }
         let field = self.name("the name of a field")?;
+        if has_equals {
+            // The value is read as if the mark were right.
+            let _ = self.expected_mark::<()>(":", &field, &format!("{field}: ..."));
+        }
         self.stream.skip(1);
         let value = self.expression();
         let result = value.as_ref().map(|_| ()).map_err(|reported| *reported);
@@ -141,8 +150,16 @@ impl Parser<'_> {
                 })
             }
             _ => {
-                let field = start.map_or_else(|| "field".to_owned(), |start| start.to_string());
-                let help = format!("write `{field}: ...` or another name before it");
+                let help = match &value.kind {
+                    ExprKind::Field(point, field) if matches!(point.kind, ExprKind::Name(_)) => {
+                        format!("write `{point}_{field}: {value}` or another name before it")
+                    }
+                    _ => {
+                        let start = start.map(|start| start.to_string());
+                        let field = start.unwrap_or_else(|| "field".to_owned());
+                        format!("write `{field}: ...` or another name before it")
+                    }
+                };
                 self.fail_at(value.span, "the quantity has no field name", &help)
             }
         }

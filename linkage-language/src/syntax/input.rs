@@ -38,7 +38,11 @@ impl Parser<'_> {
                     None => "`in`, `at` or `;`",
                     Some(_) => "`;`",
                 };
-                return self.expected(wanted, RATES);
+                let help = match self.stream.is_word(0, "from") {
+                    true => "write the range as `in LOW..HIGH`: `in 0deg..360deg`",
+                    false => RATES,
+                };
+                return self.expected(wanted, help);
             } else {
                 return self.end_of_item();
             }

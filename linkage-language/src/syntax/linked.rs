@@ -5,9 +5,7 @@ use proc_macro2::Ident;
 use super::expression::PlusMinus;
 use super::expression_tree::{Expr, ExprKind, Toleranced};
 use super::keyword::{LinkedWord, is_keyword};
-use super::linked_tree::{
-    DrawnJoint, LinkItem, LinkJoint, LinkedItem, LostItem, WeldItem, WheelsItem,
-};
+use super::linked_tree::{DrawnJoint, LinkItem, LinkJoint, LinkedItem, LostItem};
 use super::linked_words::{LinkClause, SliderWord, WheelsWord, is_word_of_links};
 use super::mechanics_tree::{InertiaPart, MassPart};
 use super::parser::{Parsed, Parser, Reported};
@@ -26,7 +24,7 @@ impl Parser<'_> {
         let names = self.declared_ahead(word);
         match self.sound_item(word, start) {
             Ok(item) => Ok((item, self.end_of_item().is_ok())),
-            Err(reported) if names.is_empty() => Err(reported),
+            Err(reported) if names.is_empty() && !has_name(word) => Err(reported),
             Err(_) => Ok((LinkedItem::Lost(LostItem { word, names }), false)),
         }
     }
@@ -45,6 +43,8 @@ impl Parser<'_> {
     /// Returns the names that an item declares, whatever is wrong with the rest of it.
     fn declared_ahead(&self, word: LinkedWord) -> Vec<Ident> {
         let mut names: Vec<Ident> = match word {
+            // `link c, d` has joints only.
+            LinkedWord::Link | LinkedWord::Slider if self.stream.is_punct(1, ',') => Vec::new(),
             LinkedWord::Link | LinkedWord::Slider => {
                 self.stream.ident(0).cloned().into_iter().collect()
             }
@@ -122,7 +122,7 @@ impl Parser<'_> {
     }
 
     fn link(&mut self) -> Parsed<LinkItem> {
-        let name = self.name("a name after `link`")?;
+        let name = self.name_of(LinkedWord::Link.word(), "link NAME: joint, joint")?;
         if self.stream.is_punct(0, ',') {
             let help = format!("a link has a name before its joints: `link NAME: {name}, ...;`");
             return self.expected(&format!("`:` after `{name}`"), &help);
@@ -138,6 +138,7 @@ impl Parser<'_> {
             inertias: Vec::new(),
         };
         loop {
+            self.refuse_decimal_comma()?;
             let comma = self.stream.eat_punct(',');
             if self.at_end_of_clauses() {
                 return Ok(link);
@@ -185,6 +186,7 @@ impl Parser<'_> {
             LinkClause::About => link.about = Some(self.sum(PlusMinus::JointIsMistake)?),
             LinkClause::Mass => {
                 let mass = self.sum(PlusMinus::JointIsMistake)?;
+                self.refuse_decimal_comma()?;
                 let help = "write `mass M at POINT`";
                 let Some(at) = self.point_of_clause()? else {
                     return self.expected("`at` and the centre of the mass", help);
@@ -193,6 +195,7 @@ impl Parser<'_> {
             }
             LinkClause::Inertia => {
                 let inertia = self.sum(PlusMinus::JointIsMistake)?;
+                self.refuse_decimal_comma()?;
                 let at = self.point_of_clause()?;
                 link.inertias.push(InertiaPart { inertia, at });
             }
@@ -214,6 +217,10 @@ impl Parser<'_> {
         let word = self.stream.ident(0).map(ToString::to_string);
         let word = word.unwrap_or_default();
         let before = self.stream.previous().map(ToString::to_string);
+        if let Some(number) = self.number_with_near_unit() {
+            let help = format!("did you mean `{number}`?");
+            return self.expected("`,` and a joint, a clause or `;`", &help);
+        }
         let follows_joint = !is_word_of_links(&word)
             && self.stream.ident(0).is_some()
             && (self.stream.is_punct(1, ',')
@@ -239,56 +246,12 @@ impl Parser<'_> {
         };
         self.expected("`,` and a joint, a clause or `;`", &help)
     }
+}
 
-    /// `LINK, LINK [on LINK] teeth a, b`
-    fn wheels(&mut self, word: LinkedWord, start: SourceSpan) -> Parsed<WheelsItem> {
-        let word = word.word();
-        let form = format!("{word} LINK, LINK teeth 20, 40");
-        let first = self.name(&format!("the name of a link after `{word}`"))?;
-        self.comma(&form)?;
-        let second = self.name("the name of the other link")?;
-        let given = self.stream.eat_word(WheelsWord::On.word());
-        let carrier = if given {
-            Some(self.name("the link that carries the pivots")?)
-        } else {
-            None
-        };
-        self.stream.eat_punct(',');
-        let sizes = [WheelsWord::Teeth, WheelsWord::Radii];
-        if !sizes.iter().any(|size| self.stream.eat_word(size.word())) {
-            let help = format!("write `{form}`, or `radii 10mm, 20mm`");
-            return self.expected("`teeth` or `radii`", &help);
-        }
-        let one = self.sum(PlusMinus::JointIsMistake)?;
-        if !self.stream.eat_punct(',') {
-            let help = format!("write both sizes: `{word} {first}, {second} teeth 20, 40;`");
-            return self.expected("`,` and the size of the other wheel", &help);
-        }
-        let other = self.sum(PlusMinus::JointIsMistake)?;
-        Ok(WheelsItem {
-            wheels: [first, second],
-            carrier,
-            span: start.to(other.span),
-            sizes: [one, other],
-        })
-    }
-
-    /// `LINK, LINK, ...`
-    fn weld(&mut self) -> Parsed<WeldItem> {
-        let mut links = vec![self.name("the name of a link after `weld`")?];
-        while self.stream.eat_punct(',') {
-            links.push(self.name("the name of a link")?);
-        }
-        if links.len() < 2 {
-            return self.expected("`,` and another link", "write `weld LINK, LINK`");
-        }
-        Ok(WeldItem { links })
-    }
-
-    fn comma(&mut self, form: &str) -> Parsed<()> {
-        if self.stream.eat_punct(',') {
-            return Ok(());
-        }
-        self.expected("`,`", &format!("write `{form}`"))
+/// Returns true for an item that has a name. After a mistake in the name, other items may use it.
+fn has_name(word: LinkedWord) -> bool {
+    match word {
+        LinkedWord::Joint | LinkedWord::Link | LinkedWord::Slider => true,
+        LinkedWord::Gears | LinkedWord::Belt | LinkedWord::Weld => false,
     }
 }

@@ -1,8 +1,8 @@
 //! Numbers with their units.
 
 use super::expression_tree::{Expr, ExprKind};
-use super::parser::{Parsed, Parser};
-use super::spelling::units_within;
+use super::parser::{Parsed, Parser, Reported};
+use super::spelling::{near_unit, units_within};
 use super::units::{is_unit, unit_names};
 use crate::diagnostic::SourceSpan;
 
@@ -66,6 +66,13 @@ impl Parser<'_> {
             return self.fail_at(span, fact, &format!("write {help}"));
         }
         let fact = format!("unknown unit `{suffix}`");
+        if let Some(unit) = near_unit(suffix) {
+            let number = format!("{text}{unit}");
+            let help = format!("did you mean `{number}`?");
+            let message = self.diagnostics.error_with_help(span, fact, help);
+            message.suggest(format!("write `{number}`"), span, number);
+            return Err(Reported);
+        }
         let names: Vec<&str> = unit_names().collect();
         let help = format!(
             "units are {}; a product is written `{text} * {suffix}`",
@@ -127,6 +134,15 @@ fn other_spelling(text: &str, suffix: &str) -> Option<String> {
         "foot" | "feet" => "ft",
         "RPM" => "rpm",
         "Hz" => "/s",
+        "rps" => "turn/s",
+        "mrad" => " * 0.001rad",
+        "MM" | "Mm" => "mm",
+        "CM" | "Cm" => "cm",
+        "km" => " * 1000m",
+        "mil" | "thou" => " * 0.001inch",
+        "MN" => " * 1000kN",
+        "GPa" => " * 1000MPa",
+        "ksi" => " * 1000psi",
         "bar" => " * 0.1MPa",
         "kgf" => " * 9.80665N",
         "lbs" => return Some(format!("`{text}lb` for a mass, `{text}lbf` for a force")),

@@ -76,6 +76,7 @@ impl Parser<'_> {
             link_elements: LinkElements::default(),
             warnings: Diagnostics::default(),
             links_are_lost: false,
+            link_names_are_lost: false,
         };
         let body = self.braces(&definition.name.to_string());
         let items = body.map(|group| self.within(&group, |parser| parser.items()));

@@ -37,6 +37,7 @@ mod tolerance;
 mod unexpected;
 mod units;
 mod vocabulary;
+mod wheels;
 
 pub use ast::*;
 pub use dump::dump;

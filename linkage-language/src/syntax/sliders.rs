@@ -3,6 +3,7 @@
 use proc_macro2::Ident;
 
 use super::expression::PlusMinus;
+use super::keyword::LinkedWord;
 use super::linked_tree::{SlidePath, SliderItem};
 use super::linked_words::SliderWord;
 use super::parser::{Parsed, Parser, Reported};
@@ -18,14 +19,15 @@ const ARCS: [&str; 3] = ["arc", "circle", "about"];
 impl Parser<'_> {
     /// Reads a slider after its word.
     pub(super) fn slider(&mut self) -> Parsed<SliderItem> {
-        let name = self.name("a name after `slider`")?;
+        let name = self.name_of(LinkedWord::Slider.word(), FORM)?;
         self.colon(
             &name,
             &format!("slider {name}: joint on LINK along joint, joint;"),
         )?;
         let pin = self.name("the name of the joint that slides")?;
         if !self.stream.eat_word(SliderWord::On.word()) {
-            let help = format!("write `{FORM}`");
+            let form = format!("write `{FORM}`");
+            let help = self.meant_word([SliderWord::On], form);
             return self.expected("`on`", &help);
         }
         let guide = self.name("the link that the joint slides on")?;
@@ -39,6 +41,7 @@ impl Parser<'_> {
             at: None,
         };
         loop {
+            self.refuse_decimal_comma()?;
             self.stream.eat_punct(',');
             if self.at_end_of_clauses() {
                 return Ok(slider);
@@ -49,23 +52,36 @@ impl Parser<'_> {
                 self.no_equals(SliderWord::At.word())?;
                 slider.at = Some(self.sum(PlusMinus::JointIsMistake)?);
             } else {
-                return self.not_a_clause_of_slider();
+                return self.not_a_clause_of_slider(&slider.path);
             }
         }
     }
 
-    fn not_a_clause_of_slider<T>(&mut self) -> Parsed<T> {
-        let words = [SliderWord::Block.word(), SliderWord::At.word()];
+    fn not_a_clause_of_slider<T>(&mut self, path: &SlidePath) -> Parsed<T> {
+        let clauses = [SliderWord::Block, SliderWord::At];
         let word = self.stream.ident(0).map(ToString::to_string);
         let word = word.unwrap_or_default();
-        if words.contains(&word.as_str()) {
+        if clauses.iter().any(|clause| clause.word() == word) {
             return self.fail(format!("a second `{word}`"), "a slider has one");
         }
-        let help = match nearest(&word, words) {
-            Some(near) => format!("did you mean `{near}`?"),
-            None => "clauses of a slider are `block LINK` and `at POSITION`".to_owned(),
+        let more = match path {
+            SlidePath::Arc { radius: None, .. } => Some(SliderWord::Radius),
+            SlidePath::Direction { through: None, .. } => Some(SliderWord::Through),
+            SlidePath::Arc { .. } | SlidePath::Direction { .. } | SlidePath::Line(_) => None,
         };
+        let form = "clauses of a slider are `block LINK` and `at POSITION`".to_owned();
+        let help = self.meant_word(clauses.into_iter().chain(more), form);
         self.expected("a clause or `;`", &help)
+    }
+
+    /// Returns a help with the nearest of some words, or another one if none is near.
+    fn meant_word(&self, words: impl IntoIterator<Item = SliderWord>, other: String) -> String {
+        let found = self.stream.ident(0).map(ToString::to_string);
+        let words = words.into_iter().map(SliderWord::word);
+        match nearest(&found.unwrap_or_default(), words) {
+            Some(near) => format!("did you mean `{near}`?"),
+            None => other,
+        }
     }
 
     fn slide_path(&mut self) -> Parsed<SlidePath> {
@@ -83,7 +99,13 @@ impl Parser<'_> {
             return Ok(SlidePath::Arc { centre, radius });
         }
         if !self.stream.eat_word(SliderWord::Along.word()) {
-            let help = format!("write `{FORM}`, `... along ANGLE` or `... around joint`");
+            let form = match self.stream.ident(1) {
+                Some(joint) if self.stream.is_word(0, SliderWord::Through.word()) => {
+                    format!("write the direction before it: `along ANGLE through {joint}`")
+                }
+                _ => format!("write `{FORM}`, `... along ANGLE` or `... around joint`"),
+            };
+            let help = self.meant_word([SliderWord::Along, SliderWord::Around], form);
             return self.expected("`along` or `around`", &help);
         }
         if self.stream.ident(0).is_some() && self.stream.is_punct(1, ',') {
@@ -123,6 +145,15 @@ impl Parser<'_> {
         let message = self.diagnostics.error_with_help(span, fact, help);
         message.suggest(format!("write `around {centre}`"), span, "around");
         Err(Reported)
+    }
+
+    /// Reads the name after the word of an item of this form.
+    pub(super) fn name_of(&mut self, word: &str, form: &str) -> Parsed<Ident> {
+        let wanted = format!("a name after `{word}`");
+        if self.stream.ident(0).is_none() {
+            return self.expected(&wanted, &format!("write `{form}`"));
+        }
+        self.name(&wanted)
     }
 
     /// Reads `:` after the name of an item of this form.

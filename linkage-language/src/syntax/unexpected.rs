@@ -3,7 +3,8 @@
 use proc_macro2::{Delimiter, TokenTree};
 
 use super::keyword::is_keyword;
-use super::parser::{Parsed, Parser};
+use super::parser::{Parsed, Parser, Reported};
+use super::spelling::near_unit;
 
 impl Parser<'_> {
     /// Reports the token after a complete expression, where only `wanted` may stand.
@@ -11,10 +12,7 @@ impl Parser<'_> {
         if self.stream.is_punct(0, '^') {
             return self.no_powers();
         }
-        if let Some(number) = self.decimal_comma() {
-            let help = format!("write `{number}`: the decimal sign is a point");
-            return self.expected(wanted, &help);
-        }
+        self.refuse_decimal_comma()?;
         if self.at_tolerance() {
             return self.misplaced_tolerance();
         }
@@ -26,18 +24,50 @@ impl Parser<'_> {
         self.decimal_comma().is_some()
     }
 
-    /// Returns the number that was meant by `1,5mm`, which is read as `1` so far.
-    fn decimal_comma(&self) -> Option<String> {
+    /// Refuses `1,5mm`, which is read as `1` so far, where nothing else can follow the comma.
+    pub(super) fn refuse_decimal_comma(&mut self) -> Parsed<()> {
+        let Some([before, after]) = self.decimal_comma() else {
+            return Ok(());
+        };
+        let span = self.stream.previous_span();
+        let span = span.to(self
+            .stream
+            .literal(1)
+            .map_or(span, |after| after.span().into()));
+        let fact = format!("the number `{before},{after}` has a decimal comma");
+        let number = format!("{before}.{after}");
+        let help = format!("the decimal sign is a point: write `{number}`");
+        let message = self.diagnostics.error_with_help(span, fact, help);
+        message.suggest(format!("write `{number}`"), span, number);
+        Err(Reported)
+    }
+
+    /// Returns the pieces of a number like `1,5mm`, which is read as `1` so far.
+    fn decimal_comma(&self) -> Option<[String; 2]> {
         let Some(TokenTree::Literal(before)) = self.stream.previous() else {
             return None;
         };
         let before = before.to_string();
         let is_integer = before.chars().all(|digit| digit.is_ascii_digit());
-        let after = self.stream.literal(1)?;
-        (is_integer && self.stream.is_punct(0, ',')).then(|| format!("{before}.{after}"))
+        let after = self.stream.literal(1)?.to_string();
+        (is_integer && self.stream.is_punct(0, ',')).then_some([before, after])
+    }
+
+    /// Returns the number that was meant by `104 mmm`, of which `104` has been read.
+    pub(super) fn number_with_near_unit(&self) -> Option<String> {
+        let number = match self.stream.previous() {
+            Some(TokenTree::Literal(number)) => number.to_string(),
+            _ => return None,
+        };
+        let unit = near_unit(&self.stream.ident(0)?.to_string())?;
+        let is_bare = number.ends_with(|last: char| last.is_ascii_digit());
+        is_bare.then(|| format!("{number}{unit}"))
     }
 
     fn missing_operator(&self) -> String {
+        if let Some(number) = self.number_with_near_unit() {
+            return format!("did you mean `{number}`?");
+        }
         let before = match self.stream.previous() {
             Some(token @ (TokenTree::Literal(_) | TokenTree::Ident(_))) => token.to_string(),
             Some(TokenTree::Group(group)) if group.delimiter() == Delimiter::Parenthesis => {

@@ -178,6 +178,7 @@ fn def() -> MechanismDef {
         link_elements: syntax::LinkElements::default(),
         warnings: Diagnostics::default(),
         links_are_lost: false,
+        link_names_are_lost: false,
     }
 }
 

@@ -1,14 +1,15 @@
-//! The joints that close loops and the wheels, as equations.
+//! The joints that close loops, and relations between joints, as equations.
 
+use linkage_engine::Mechanism;
 use linkage_language::syntax::JointKind;
 
-use super::coordinates::built;
+use super::coordinates::{Coordinate, built};
+use super::joint_relations::Relations;
 use super::jointed_links::{Closure, Pose, pose_of};
 use super::skeleton::Skeleton;
 use super::space_vectors::{
     Vector, across, cross, difference, dot, product, scaled, transposed, turned,
 };
-use super::wheel_relations::Relation;
 
 /// Steps of the coordinates for derivatives, in radians or parts of the size.
 const STEP: f64 = 1e-5;
@@ -22,24 +23,24 @@ fn normals(axis: Vector) -> [Vector; 2] {
     [first, cross(axis, first)]
 }
 
-/// The number of independent motions that joints, closures and wheels leave at the reference.
+/// The number of independent motions that joints, closures and relations leave at the reference.
 pub(super) fn freedoms_left(
     skeleton: &Skeleton,
-    relations: &[Relation],
-    count: usize,
-    is_length: &[bool],
+    relations: &Relations,
+    coordinates: &[Coordinate],
 ) -> usize {
     let size = skeleton.size();
+    let count = coordinates.len();
     let equations = |values: &[f64]| {
         let poses = built(skeleton, values);
         let closures = skeleton.closures.iter();
         let all = closures.flat_map(|closure| residuals(skeleton, closure, &poses, size));
-        let related = relations.iter().map(|relation| relation.sum(values));
-        all.chain(related).collect::<Vec<f64>>()
+        all.chain(relations.sums(values)).collect::<Vec<f64>>()
     };
     let mut columns: Vec<Vec<f64>> = (0..count)
         .map(|index| {
-            let step = STEP * if is_length[index] { size } else { 1.0 };
+            let is_length = coordinates[index].is_length();
+            let step = STEP * if is_length { size } else { 1.0 };
             let [ahead, behind] = [step, -step].map(|step| {
                 let mut values = vec![0.0; count];
                 values[index] = step;
@@ -50,6 +51,12 @@ pub(super) fn freedoms_left(
         })
         .collect();
     count - rank(&mut columns)
+}
+
+/// Returns the number of independent motions of the mechanism, idle turns of rods among them.
+pub(super) fn motions(mechanism: &Mechanism, skeleton: &Skeleton) -> usize {
+    let spins = (0..skeleton.links.len()).filter(|index| skeleton.spins(*index));
+    mechanism.inputs().len() + spins.count()
 }
 
 /// What a closure keeps at zero, lengths as parts of the size.

@@ -15,6 +15,8 @@ const HALVINGS: usize = 20;
 #[derive(Clone, Debug)]
 pub(super) struct Coupling {
     pub(super) coordinate: usize,
+    /// The joint that it follows.
+    pub(super) leader: usize,
     /// That of the lowest power first. One that stands still has none.
     pub(super) coefficients: Vec<f64>,
     /// A bound of the error over the whole range.
@@ -72,6 +74,7 @@ pub(super) fn couplings(
         if stands_still(values, scale) {
             found.push(Coupling {
                 coordinate,
+                leader: motion.driver,
                 coefficients: Vec::new(),
                 error: ends[0].abs().max(ends[1].abs()),
                 ends,
@@ -84,6 +87,7 @@ pub(super) fn couplings(
         match first.or_else(|| fits.next_back()) {
             Some((coefficients, error)) if error <= limit => found.push(Coupling {
                 coordinate,
+                leader: motion.driver,
                 coefficients,
                 error,
                 ends,

@@ -122,6 +122,21 @@ impl Declared {
         }
         fields.join(", ")
     }
+
+    /// The bodies in an order in which those that others hang on come first.
+    pub(super) fn order(&self) -> Vec<usize> {
+        let mut order: Vec<usize> = Vec::new();
+        // The compiler has refused circles.
+        for _ in &self.bodies {
+            for (index, body) in self.bodies.iter().enumerate() {
+                let hangs = body.joint.on.is_none_or(|on| order.contains(&on));
+                if hangs && !order.contains(&index) {
+                    order.push(index);
+                }
+            }
+        }
+        order
+    }
 }
 
 impl DeclaredBody {

@@ -3,6 +3,9 @@
 use super::coordinates::Coordinate;
 use super::coupling::Coupling;
 
+/// A range of an angle this near to a turn has no ends.
+pub(super) const TURN: f64 = 1e-9;
+
 /// The joint that drives.
 pub(super) struct Driver {
     pub(super) name: String,

@@ -3,6 +3,7 @@
 use linkage_compiler::shortened;
 
 use super::declared::{DeclaredBody, entry};
+use super::metres::Metres;
 use super::results::Values;
 use super::space_vectors::{
     IDENTITY, Rotation, Vector, ZERO, difference, dot, product, scaled, sum, transposed,
@@ -126,5 +127,20 @@ fn add(sum: &mut Rotation, tensor: &Rotation, factor: f64) {
         for (number, other) in row.iter_mut().zip(other) {
             *number += factor * other;
         }
+    }
+}
+
+/// Returns a mass in metres, its centre from an origin in metres.
+pub(super) fn in_metres(mass: Mass, origin: Vector, metres: Metres) -> Mass {
+    let centre = match mass.mass == 0.0 {
+        true => ZERO,
+        false => difference(metres.vector(mass.centre), origin),
+    };
+    Mass {
+        centre,
+        inertia: mass
+            .inertia
+            .map(|row| row.map(|moment| metres.square(moment))),
+        ..mass
     }
 }

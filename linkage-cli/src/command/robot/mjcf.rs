@@ -7,21 +7,22 @@ use super::coordinates::{Coordinate, origin_on_parent};
 use super::coupling::Coupling;
 use super::heading::Heading;
 use super::inertial::{Inertials, block_mass};
+use super::joint_relations::{Relations, write_polynomials};
 use super::jointed_links::{Closure, Freedom};
 use super::skeleton::Skeleton;
 use super::space_vectors::{AXES, Vector, difference, scaled, sum};
-use super::wheel_relations::{Relation, write_equations, write_tendons};
+use super::wheel_relations::{write_equations, write_tendons};
 use super::xml::{Lines, number, numbers};
 
 /// The second point on the axis of a pin in space, as a part of the size.
 const ALONG_AXIS: f64 = 0.25;
 
 /// The equations between joints or bodies.
-pub(super) enum Equations<'a> {
-    /// Loops as constraints between bodies, and the relations of wheels.
-    Loops(&'a [Relation]),
+pub(super) enum Equations {
+    /// Loops as constraints between bodies, and relations between joints.
+    Loops(Relations),
     /// Joints as polynomials of the driving one.
-    Polynomials(&'a [Coupling]),
+    Polynomials(Vec<Coupling>),
 }
 
 /// A description that is being written.
@@ -29,7 +30,7 @@ struct Model<'a> {
     skeleton: &'a Skeleton<'a>,
     heading: &'a Heading,
     inertials: &'a Inertials,
-    closing: &'a Equations<'a>,
+    closing: &'a Equations,
     coordinates: &'a [Coordinate],
     lines: Lines,
 }
@@ -122,7 +123,8 @@ impl Model<'_> {
                 .line(&format!("<joint name=\"{name}\" type=\"ball\"/>"));
             return;
         }
-        for coordinate in self.coordinates.iter().filter(|c| c.link == index) {
+        let coordinates = self.coordinates.iter().enumerate();
+        for (coordinate_index, coordinate) in coordinates.filter(|(_, c)| c.link == index) {
             let (kind, axis) = match coordinate.freedom {
                 Freedom::Slide(axis) => ("slide", axis),
                 Freedom::Hinge(axis) => ("hinge", axis),
@@ -141,6 +143,11 @@ impl Model<'_> {
                     let limits = limits.map(|end| end + driver.zero);
                     text += &format!(" range=\"{}\"", numbers(&limits));
                 }
+            }
+            if let Equations::Loops(relations) = self.closing
+                && let Some(limits) = relations.limits(coordinate_index)
+            {
+                text += &format!(" range=\"{}\"", numbers(&limits));
             }
             self.lines.line(&(text + "/>"));
         }
@@ -206,11 +213,11 @@ impl Model<'_> {
         }
     }
 
-    fn loops(&mut self, relations: &[Relation]) {
+    fn loops(&mut self, relations: &Relations) {
         if self.skeleton.closures.is_empty() && relations.is_empty() {
             return;
         }
-        write_tendons(relations, self.coordinates, &mut self.lines);
+        write_tendons(&relations.wheels, self.coordinates, &mut self.lines);
         self.lines.open("<equality>");
         for closure in &self.skeleton.closures {
             let name = &closure.name;
@@ -226,7 +233,13 @@ impl Model<'_> {
                 ));
             }
         }
-        write_equations(relations, self.coordinates, &mut self.lines);
+        write_equations(&relations.wheels, self.coordinates, &mut self.lines);
+        write_polynomials(
+            &relations.polynomials,
+            self.coordinates,
+            DEGREE + 1,
+            &mut self.lines,
+        );
         self.lines.close("equality");
     }
 

@@ -43,6 +43,11 @@ pub(super) struct Common {
 }
 
 impl Common {
+    /// Returns true if no option chooses an input or a joint that drives alone.
+    pub(super) fn moves_all_inputs(&self) -> bool {
+        self.over.is_none() && self.at.is_empty() && self.range.is_none() && self.drive.is_none()
+    }
+
     /// The name of the mechanism that is meant.
     pub(super) fn only(&self, source: &Source) -> Result<&'static str, Failure> {
         let all = self.chosen.all_of(source)?;

@@ -2,12 +2,12 @@
 
 use linkage_engine::Mechanism;
 
-use super::closures::freedoms_left;
+use super::closures::{freedoms_left, motions};
 use super::coupling::Missed;
 use super::declared::Declared;
 use super::driven_joints::{Motion, RunningName};
+use super::joint_relations::Relations;
 use super::skeleton::Skeleton;
-use super::wheel_relations::Relation;
 use crate::failure::Failure;
 
 /// The format, with what its equations between joints can carry.
@@ -81,13 +81,11 @@ pub(super) fn missed(
 pub(super) fn closed(
     mechanism: &Mechanism,
     skeleton: &Skeleton,
-    relations: &[Relation],
+    relations: &Relations,
     motion: &Motion,
 ) -> Result<(), Failure> {
-    let lengths: Vec<bool> = motion.coordinates.iter().map(|c| c.is_length()).collect();
-    let left = freedoms_left(skeleton, relations, lengths.len(), &lengths);
-    let spins = (0..skeleton.links.len()).filter(|index| skeleton.spins(*index));
-    let expected = mechanism.inputs().len() + spins.count();
+    let left = freedoms_left(skeleton, relations, &motion.coordinates);
+    let expected = motions(mechanism, skeleton);
     match left > expected {
         false => Ok(()),
         true => Err(Failure::Told(format!(

@@ -8,7 +8,7 @@ use linkage_language::syntax::JointKind;
 
 use super::declared::{Declared, DeclaredJoint, field, name_of};
 use super::jointed_links::{Closure, FIXED, Freedom, Link, Pose, pose_of};
-use super::mass::{InertiaAxes, Mass, mass_of};
+use super::mass::{InertiaAxes, Mass, in_metres, mass_of};
 use super::metres::Metres;
 use super::results::Values;
 use super::space_vectors::{
@@ -72,7 +72,7 @@ impl<'m> Skeleton<'m> {
             links: Vec::new(),
             closures: Vec::new(),
             gravity: ZERO,
-            order: order(declared),
+            order: declared.order(),
             is_plane: true,
             declared,
             mechanism,
@@ -182,15 +182,40 @@ impl<'m> Skeleton<'m> {
 
     /// The function of positions at a value of the running input.
     pub(super) fn values_at(&self, x: f64) -> Values {
+        let arguments = self.arguments_at(x);
+        Values::of_call(self.mechanism, self.assembly, self.function, &arguments)
+    }
+
+    fn arguments_at(&self, x: f64) -> Vec<f64> {
         let mut arguments = self.arguments.clone();
         arguments[self.running] = x;
-        Values::of_call(self.mechanism, self.assembly, self.function, &arguments)
+        arguments
     }
 
     /// The poses of all bodies at a value of the running input; not finite where the mechanism has
     /// no position.
     pub(super) fn poses(&self, x: f64) -> Vec<Pose> {
-        let values = self.values_at(x);
+        self.poses_at(&self.arguments_at(x))
+    }
+
+    /// The arguments of the function of positions at the reference.
+    pub(super) fn arguments(&self) -> &[f64] {
+        &self.arguments
+    }
+
+    /// The inputs among the arguments by their numbers, with their ranges.
+    pub(super) fn inputs(&self) -> Vec<(usize, [f64; 2])> {
+        let arguments = &self.mechanism.compiled().functions[self.function].arguments;
+        let inputs = arguments.iter().enumerate().filter_map(|(number, index)| {
+            let (low, high) = self.mechanism.inputs().get(*index)?.ends();
+            Some((number, [low, high]))
+        });
+        inputs.collect()
+    }
+
+    /// The poses of all bodies at other arguments.
+    pub(super) fn poses_at(&self, arguments: &[f64]) -> Vec<Pose> {
+        let values = Values::of_call(self.mechanism, self.assembly, self.function, arguments);
         let orientations = self.orientations(&values);
         let mut poses = vec![FIXED; self.links.len()];
         for &index in &self.order {
@@ -269,33 +294,4 @@ impl<'m> Skeleton<'m> {
         let is_rod = matches!(self.reference[index], Orientation::Rod(_));
         is_rod && self.links[index].freedoms == [Freedom::Ball]
     }
-}
-
-/// A mass in metres, its centre from an origin in metres.
-fn in_metres(mass: Mass, origin: Vector, metres: Metres) -> Mass {
-    let centre = match mass.mass == 0.0 {
-        true => ZERO,
-        false => difference(metres.vector(mass.centre), origin),
-    };
-    Mass {
-        centre,
-        inertia: mass
-            .inertia
-            .map(|row| row.map(|moment| metres.square(moment))),
-        ..mass
-    }
-}
-
-fn order(declared: &Declared) -> Vec<usize> {
-    let mut order: Vec<usize> = Vec::new();
-    // The compiler has refused circles.
-    for _ in &declared.bodies {
-        for (index, body) in declared.bodies.iter().enumerate() {
-            let hangs = body.joint.on.is_none_or(|on| order.contains(&on));
-            if hangs && !order.contains(&index) {
-                order.push(index);
-            }
-        }
-    }
-    order
 }

@@ -5,7 +5,9 @@ use super::coordinates::{Coordinate, origin_on_parent};
 use super::coupling::Coupling;
 use super::heading::Heading;
 use super::inertial::Inertials;
+use super::joint_relations::Relations;
 use super::jointed_links::Freedom;
+use super::mjcf::Equations;
 use super::skeleton::Skeleton;
 use super::space_vectors::{AXES, Vector, length, scaled};
 use super::xml::{Lines, number, numbers};
@@ -25,7 +27,9 @@ struct Robot<'a> {
     heading: &'a Heading,
     inertials: &'a Inertials,
     coordinates: &'a [Coordinate],
-    couplings: &'a [Coupling],
+    couplings: Vec<Coupling>,
+    /// Relations that are exact, with the limits of further inputs.
+    relations: Option<&'a Relations>,
     lines: Lines,
 }
 
@@ -35,14 +39,19 @@ pub(super) fn text(
     heading: &Heading,
     inertials: &Inertials,
     coordinates: &[Coordinate],
-    couplings: &[Coupling],
+    equations: &Equations,
 ) -> String {
+    let (couplings, relations) = match equations {
+        Equations::Polynomials(found) => (found.clone(), None),
+        Equations::Loops(relations) => (relations.couplings(), Some(relations)),
+    };
     let mut robot = Robot {
         skeleton,
         heading,
         inertials,
         coordinates,
         couplings,
+        relations,
         lines: Lines::default(),
     };
     robot.write();
@@ -133,8 +142,10 @@ impl Robot<'_> {
         let name = &coordinate.name;
         let driver = &self.heading.driver;
         let mut couplings = self.couplings.iter();
-        let coupling = couplings.find(|coupling| coupling.coordinate == number);
-        if let Some(coupling) = coupling {
+        let coupling = couplings
+            .find(|coupling| coupling.coordinate == number)
+            .cloned();
+        if let Some(coupling) = &coupling {
             self.lines
                 .comment(&self.heading.remark(coordinate, coupling));
             if coupling.coefficients.is_empty() {
@@ -142,12 +153,15 @@ impl Robot<'_> {
                 return;
             }
         }
-        let limits = match coupling {
+        let limits = match &coupling {
             Some(coupling) => {
                 let [low, high] = coupling.ends;
                 Some([low - coupling.error, high + coupling.error])
             }
-            None => driver.limits,
+            None if *name == driver.name => driver.limits,
+            None => self
+                .relations
+                .and_then(|relations| relations.limits(number)),
         };
         let (kind, axis) = match (coordinate.freedom, limits) {
             (Freedom::Slide(axis), _) => ("prismatic", axis),
@@ -167,11 +181,13 @@ impl Robot<'_> {
                 "<limit lower=\"{low}\" upper=\"{high}\" effort=\"{NO_LIMIT}\" velocity=\"{NO_LIMIT}\"/>"
             ));
         }
-        if let Some([offset, multiplier]) = coupling.map(|coupling| &coupling.coefficients[..]) {
-            let [offset, multiplier] = [*offset, *multiplier].map(super::xml::number);
+        if let Some(coupling) = &coupling
+            && let [offset, multiplier] = coupling.coefficients[..]
+        {
+            let [offset, multiplier] = [offset, multiplier].map(super::xml::number);
             self.lines.line(&format!(
                 "<mimic joint=\"{}\" multiplier=\"{multiplier}\" offset=\"{offset}\"/>",
-                driver.name
+                self.coordinates[coupling.leader].name
             ));
         }
         self.lines.close("joint");

@@ -4,6 +4,7 @@ use linkage_engine::{Assembly, Mechanism};
 
 use super::coordinates::Coordinate;
 use super::declared::{Declared, field};
+use super::driven_joints::Motion;
 use super::jointed_links::Freedom;
 use super::results::Values;
 use super::skeleton::{CONSTANTS, Skeleton};
@@ -34,8 +35,9 @@ pub(super) fn relations(
     mechanism: &Mechanism,
     assembly: &Assembly,
     skeleton: &Skeleton,
-    coordinates: &[Coordinate],
+    motion: &Motion,
 ) -> Vec<Relation> {
+    let coordinates = &motion.coordinates;
     let Ok(function) = mechanism.function(CONSTANTS) else {
         return Vec::new();
     };

@@ -91,6 +91,11 @@ fn mismatch_help(names: &Names, units: &AssumedUnits, left: &Expr, right: &Expr)
             return format!("declare `{}` with a unit: `0{unit}` or `0deg`", symbol.text);
         }
     }
+    for (value, other) in [(left, right), (right, left)] {
+        if let Some(help) = bare_declaration_help(names, units, value, &other.ty) {
+            return help;
+        }
+    }
     let hidden = [left, right].map(|value| hidden_unit_help(names, value));
     if let Some(help) = hidden.into_iter().flatten().next() {
         return help;
@@ -111,6 +116,34 @@ fn mismatch_help(names: &Names, units: &AssumedUnits, left: &Expr, right: &Expr)
         return format!("give the number its unit: `{length}`");
     }
     "both must have the same dimension".to_owned()
+}
+
+/// Returns a help for a number that is declared without the unit of the other value: `argument load
+/// = 500` next to newtons.
+fn bare_declaration_help(
+    names: &Names,
+    units: &AssumedUnits,
+    value: &Expr,
+    other: &Type,
+) -> Option<String> {
+    let name = match &value.kind {
+        ExprKind::Negate(value) => value.as_name()?,
+        _ => value.as_name()?,
+    };
+    let has_value = matches!(
+        name,
+        Name::Argument(_) | Name::Parameter(_) | Name::Const(_)
+    );
+    let unit = other.dimension()?.unit(units.length);
+    if !has_value || value.ty != Type::NUMBER || unit.is_empty() {
+        return None;
+    }
+    let symbol = names.symbol(name)?;
+    let (_, kind) = symbol.kind().split_once(' ')?;
+    Some(format!(
+        "`{}` is a number: give the value of this {kind} its unit, `{unit}`",
+        symbol.text
+    ))
 }
 
 /// Refuses arrays and frames. They consist of values of different dimensions, so there is no

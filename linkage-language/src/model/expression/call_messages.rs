@@ -7,7 +7,7 @@ use crate::diagnostic::text::{count, nearest};
 use crate::model::symbols::declared_names::Names;
 use crate::model::symbols::sink::Sink;
 use crate::model::types::{Expr, Function, MotionLawWord, QuantityWord};
-use crate::syntax::Word;
+use crate::syntax::{self, Word};
 
 pub(in crate::model) fn refuse_unknown_function(names: &Names, sink: &mut Sink, ident: &Ident) {
     let name = ident.to_string();
@@ -18,23 +18,54 @@ pub(in crate::model) fn refuse_unknown_function(names: &Names, sink: &mut Sink, 
         Some(symbol) => format!("`{name}` is {}, not a function", symbol.kind()),
         None => format!("unknown function `{name}`"),
     };
-    let near = nearest(&name, known);
-    let help = match (names.find(&name), near) {
+    let near = other_word(&name).or_else(|| nearest(&name, known));
+    let meant = match other_notation(&name) {
+        Some(help) => Some(help.to_owned()),
+        None => near.map(|function| format!("did you mean `{function}`?")),
+    };
+    let help = match (names.find(&name), meant) {
         (Some(_), _) => format!("write `{name} * (...)` for a product"),
-        (None, Some(function)) => format!("did you mean `{function}`?"),
-        (None, None) if ["pow", "powi", "powf", "sq"].contains(&name.as_str()) => {
-            "write `a * a` for a square".to_owned()
-        }
+        (None, Some(help)) => help,
         (None, None) => {
-            let names: Vec<&str> = functions().collect();
-            format!("functions are {}", names.join(" "))
+            let functions: Vec<&str> = functions().collect();
+            let quantities: Vec<&str> = QuantityWord::all().map(QuantityWord::word).collect();
+            format!(
+                "functions are {}; quantities are {}",
+                functions.join(" "),
+                quantities.join(" ")
+            )
         }
     };
-    let meant = near.filter(|_| names.find(&name).is_none());
+    let written = near.filter(|_| names.find(&name).is_none() && other_notation(&name).is_none());
     let message = sink.error_with_help(ident.into(), fact, help);
-    if let Some(function) = meant {
+    if let Some(function) = written {
         message.suggest(format!("write `{function}`"), ident.into(), function);
     }
+}
+
+/// Returns the function or quantity for which other programs have this word.
+fn other_word(name: &str) -> Option<&'static str> {
+    Some(match name {
+        "speed" | "vel" | "rate" => "velocity",
+        "acc" | "accel" => "acceleration",
+        "arcsin" => "asin",
+        "arccos" => "acos",
+        "arctan" => "atan",
+        "arctan2" => "atan2",
+        _ => return None,
+    })
+}
+
+/// Returns the notation for a function of other programs that has none of its own here.
+fn other_notation(name: &str) -> Option<&'static str> {
+    Some(match name {
+        "pow" | "powi" | "powf" | "sq" => "write `a * a` for a square",
+        "deriv" | "derivative" | "diff" => "write `d(quantity, input)`, or `velocity(quantity)`",
+        "length" | "len" | "mag" | "magnitude" => {
+            "write `norm(vector)`, or `distance(a, b)` for two points"
+        }
+        _ => return None,
+    })
 }
 
 /// A function with the wrong number of arguments.
@@ -64,6 +95,30 @@ pub(in crate::model) fn refuse_wrong_count(
 ) {
     let fact = wrong_count(name, parameters, found);
     let help = format!("write `{name}({})`", parameters.join(", "));
+    sink.error_with_help(span, fact, help);
+}
+
+/// Reports `velocity(quantity, input)`. The inputs of a derivative are those of the function.
+pub(in crate::model) fn refuse_listed_input(
+    sink: &mut Sink,
+    name: &str,
+    order: u8,
+    [quantity, input]: [&syntax::Expr; 2],
+    span: SourceSpan,
+) {
+    let fact = wrong_count(name, &["quantity"], 2);
+    let derivative = match order {
+        1 => format!("`d({quantity}, {input})`"),
+        2 => format!("`d({quantity}, {input}, {input})`"),
+        _ => {
+            let help = format!("write `{name}({quantity})`");
+            sink.error_with_help(span, fact, help);
+            return;
+        }
+    };
+    let help = format!(
+        "write `{name}({quantity})`; with several inputs, {derivative} is the derivative for one of them"
+    );
     sink.error_with_help(span, fact, help);
 }
 

@@ -9,7 +9,7 @@ use crate::model::symbols::assumed_units::AssumedUnits;
 use crate::model::symbols::declared_names::Names;
 use crate::model::symbols::sink::Sink;
 use crate::model::types::{COMPONENTS, Expr, ExprKind, Type};
-use crate::syntax;
+use crate::syntax::{self, is_unit};
 
 pub(in crate::model) fn make_vector(
     names: &Names,
@@ -80,6 +80,9 @@ pub(in crate::model) fn make_component(
         _ => {
             let fact = format!("{} has no component `{field}`", value.ty);
             let help = match count {
+                1 if is_unit(&field.to_string()) => {
+                    format!("a value in another unit is a quotient: `... / 1{field}`")
+                }
                 1 => "only vectors have components".to_owned(),
                 2 if field == COMPONENTS[2] => {
                     "components are `.x`, `.y`; a space vector is written `(x, y, z)`".to_owned()

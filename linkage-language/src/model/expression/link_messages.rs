@@ -37,6 +37,31 @@ pub(in crate::model) fn refuse_lonely_link(
     true
 }
 
+/// Reports a misspelt link or slider in front of a quantity that it has: `roker.angle`. Returns
+/// false if no name is near.
+pub(in crate::model) fn refuse_misspelt_link(
+    parts: &Parts,
+    links: &LinkNames,
+    sink: &mut Sink,
+    link: &Ident,
+    member: &Ident,
+) -> bool {
+    if links.lost {
+        return false;
+    }
+    let ending = format!(".{member}");
+    let names = parts.quantities.iter();
+    let names = names.filter_map(|name| name.strip_suffix(&ending));
+    let Some(meant) = nearest(&link.to_string(), names) else {
+        return false;
+    };
+    let fact = format!("unknown name `{link}`");
+    let help = format!("did you mean `{meant}.{member}`?");
+    let message = sink.error_with_help(link.into(), fact, help);
+    message.suggest(format!("write `{meant}`"), link.into(), meant);
+    true
+}
+
 /// Reports a quantity that a link does not have. Returns false if the name is no link.
 pub(in crate::model) fn refuse_unknown_quantity(
     parts: &Parts,

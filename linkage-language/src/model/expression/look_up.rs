@@ -29,7 +29,9 @@ pub(in crate::model) fn look_up_name(
         if refuse_lonely_link(&scope.parts, &scope.members.links, sink, ident) {
             return None;
         }
-        refuse_unknown_name(&scope.names, &scope.members, sink, ident, Some(context));
+        if !scope.members.links.nameless {
+            refuse_unknown_name(&scope.names, &scope.members, sink, ident, Some(context));
+        }
         return None;
     };
     if let Some((fact, help)) = refusal(symbol, context) {

@@ -19,8 +19,9 @@ use crate::model::symbols::scope::Scope;
 use crate::model::symbols::sink::Sink;
 use crate::model::symbols::site::{Context, Site};
 use crate::model::symbols::values::Values;
-use crate::model::types::{Constant, LengthUnit, Let, LinkElements, Mechanism, Name};
-use crate::syntax::{Attribute, UnitItem, Word, documentation};
+use crate::model::types::{Constant, Dimension, LengthUnit, Let, LinkElements, Mechanism, Name};
+use crate::model::units::conversion::dimension_of;
+use crate::syntax::{Attribute, UnitItem, Word, documentation, find_unit};
 
 /// All items, pass by pass.
 pub(in crate::model) fn resolve_items(
@@ -176,11 +177,21 @@ fn resolve_length_unit(sink: &mut Sink, items: &[&UnitItem]) -> LengthUnit {
     let text = first.unit.to_string();
     LengthUnit::from_name(&text).unwrap_or_else(|| {
         let names: Vec<&str> = LengthUnit::all().map(LengthUnit::word).collect();
+        let is_length =
+            find_unit(&text).is_some_and(|unit| dimension_of(unit) == Dimension::LENGTH);
         let help = match nearest(&text, names.iter().copied()) {
+            _ if is_length => format!(
+                "`unit` takes {}; lengths may be written in `{text}` with each of them",
+                names.join(" ")
+            ),
             Some(name) => format!("did you mean `{name}`?"),
             None => format!("length units are {}", names.join(" ")),
         };
-        let fact = format!("`{text}` is not a length unit");
+        let fact = if is_length {
+            format!("results cannot have the unit `{text}`")
+        } else {
+            format!("`{text}` is not a length unit")
+        };
         sink.error_with_help((&first.unit).into(), fact, help);
         LengthUnit::Metre
     })

@@ -5,6 +5,7 @@ use proc_macro2::Ident;
 use super::linkage::{Arc, FRAME, Link, Linkage, Path, RADIUS, Slider};
 use super::names::Names;
 use crate::diagnostic::Diagnostics;
+use crate::diagnostic::text::list;
 use crate::syntax::{ExprKind, SlidePath, SliderItem, Toleranced};
 
 /// Adds a slider to a linkage. The joints of all links are known.
@@ -124,6 +125,9 @@ fn joint_of_guide(
         return Some(number);
     }
     if guide == FRAME {
+        if refuse_moving_joint(linkage, item, number, name, diagnostics) {
+            return None;
+        }
         linkage.links[FRAME].joints.push(number);
         linkage.links[FRAME].coordinates.push(None);
         return Some(number);
@@ -135,6 +139,39 @@ fn joint_of_guide(
         diagnostics.error_with_help(name.into(), fact, help);
     }
     None
+}
+
+/// Reports a joint that cannot stay on the frame for a slider, because links are joined there or a
+/// link that turns carries it. Returns true if it is one.
+fn refuse_moving_joint(
+    linkage: &Linkage,
+    item: &SliderItem,
+    joint: usize,
+    name: &Ident,
+    diagnostics: &mut Diagnostics,
+) -> bool {
+    let links = linkage.links[FRAME + 1..].iter();
+    let holders: Vec<&Link> = links.filter(|link| link.joints.contains(&joint)).collect();
+    let pivots = &linkage.links[FRAME].joints;
+    let is_carried = |link: &&Link| {
+        let mut joints = link.joints.iter();
+        link.at.is_some() && joints.any(|other| pivots.contains(other))
+    };
+    if holders.len() < 2 && !holders.iter().any(is_carried) {
+        return false;
+    }
+    let links: Vec<String> = holders.iter().map(|link| link.name.to_string()).collect();
+    let links: Vec<&str> = links.iter().map(String::as_str).collect();
+    let fact = format!(
+        "`{name}` moves with {}, but the line of `{}` is fixed on the frame",
+        list(&links),
+        item.name
+    );
+    let help = format!(
+        "name a joint of the frame, or another link after `on`; a pivot of the frame is in `link frame: {name}, ...;`"
+    );
+    diagnostics.error_with_help(name.into(), fact, help);
+    true
 }
 
 /// Reports a path that the sliding joint gives its line or its middle. Returns true if it does.

@@ -1,4 +1,5 @@
-//! Mistakes in a drawing: joints at one place, pins beside their slots, cylinders of another length.
+//! Mistakes in a drawing: joints at one place, pins beside their slots, lengths that the drawing
+//! contradicts.
 
 use super::drawing::{DRAWN_APART, nominal};
 use super::driven_angles::report_driven_twice;
@@ -14,6 +15,7 @@ pub(super) fn report(sheet: &Sheet, diagnostics: &mut Diagnostics) {
     report_driven_twice(sheet.linkage, sheet.bodies, diagnostics);
     report_joints_at_one_place(sheet, diagnostics);
     report_cylinders(sheet, diagnostics);
+    report_lengths_of_welds(sheet, diagnostics);
     report_pins_beside_slots(sheet, diagnostics);
     report_starts_of_slots(sheet, diagnostics);
     report_wheels(sheet, diagnostics);
@@ -58,6 +60,27 @@ fn report_cylinders(sheet: &Sheet, diagnostics: &mut Diagnostics) {
                 link.name
             );
             let help = "change the reference of the input, or draw the link with this length";
+            diagnostics.error_with_help((&link.name).into(), fact, help);
+        }
+    }
+}
+
+/// Reports lengths of links that are welded to an earlier one: the drawing places their joints.
+fn report_lengths_of_welds(sheet: &Sheet, diagnostics: &mut Diagnostics) {
+    let links = &sheet.linkage.links;
+    for body in &sheet.bodies.list {
+        let lead = &links[body.lead()].name;
+        for link in body.links[1..].iter().map(|link| &links[*link]) {
+            let ([first, second, ..], Some(_)) = (&link.joints[..], link.length) else {
+                continue;
+            };
+            let [first, second] = [first, second].map(|joint| &sheet.linkage.joints[*joint].name);
+            let fact = format!(
+                "the length of `{}` has no effect: the link is one body with `{lead}`",
+                link.name
+            );
+            let help =
+                format!("leave `length` out, and draw `{first}` and `{second}` at this distance");
             diagnostics.error_with_help((&link.name).into(), fact, help);
         }
     }

@@ -44,7 +44,7 @@ use std::collections::BTreeMap;
 use proc_macro2::TokenStream;
 
 use crate::diagnostic::Diagnostics;
-use crate::syntax::{Item, LinkElements, MechanismDef, parse};
+use crate::syntax::{Item, LinkElements, LinkedItem, MechanismDef, parse};
 
 /// Reads the mechanisms of a text, with loops in the place of their joints and links.
 pub fn read(tokens: TokenStream, diagnostics: &mut Diagnostics) -> Vec<MechanismDef> {
@@ -62,6 +62,11 @@ pub fn expand(definitions: Vec<MechanismDef>, diagnostics: &mut Diagnostics) -> 
             None => definition,
         })
         .collect()
+}
+
+/// Returns true for an item that could not be read, not even its name.
+fn is_nameless(item: &Item) -> bool {
+    matches!(item, Item::Linked(LinkedItem::Lost(lost)) if lost.names.is_empty())
 }
 
 /// Returns the position of the last item about joints and links.
@@ -98,6 +103,7 @@ fn expand_mechanism(
         items = lost::items(&definition);
         link_elements = LinkElements::default();
     }
+    definition.link_names_are_lost = definition.items.iter().any(is_nameless);
     let after = definition.items.split_off(last + 1);
     definition.items.extend(items);
     definition.items.extend(after);

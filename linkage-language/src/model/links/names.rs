@@ -25,6 +25,7 @@ pub(super) struct Names {
     written: BTreeMap<String, Vec<String>>,
     /// Names of values that can be points: a link may hold on to one.
     points: Vec<String>,
+    inputs: Vec<String>,
 }
 
 /// Returns true for a name that the fixed link would have elsewhere.
@@ -51,6 +52,7 @@ impl Names {
             links: BTreeMap::from([(FRAME_NAME.to_owned(), FRAME)]),
             written,
             points: points(definition),
+            inputs: inputs(definition),
         }
     }
 
@@ -80,6 +82,14 @@ impl Names {
                 [] => "name a joint".to_owned(),
                 _ => format!("name one of its joints: {}", list(&joints)),
             };
+            diagnostics.error_with_help(name.into(), fact, help);
+            return None;
+        }
+        if self.inputs.contains(&text) {
+            let fact = format!("`{text}` is an input, not a joint");
+            let help = format!(
+                "write `at {text}` for the direction of the link, or `length {text}` for its length"
+            );
             diagnostics.error_with_help(name.into(), fact, help);
             return None;
         }
@@ -161,6 +171,16 @@ fn points(definition: &MechanismDef) -> Vec<String> {
             Item::Let(item) => Some(item.name.to_string()),
             Item::Param(item) => Some(item.name.to_string()),
             Item::Unknown(item) => Some(item.name.to_string()),
+            _ => None,
+        })
+        .collect()
+}
+
+fn inputs(definition: &MechanismDef) -> Vec<String> {
+    let items = definition.items.iter();
+    items
+        .filter_map(|item| match item {
+            Item::Input(item) => Some(item.name.to_string()),
             _ => None,
         })
         .collect()

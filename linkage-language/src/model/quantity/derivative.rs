@@ -8,7 +8,7 @@ use super::moving_frame::resolve_turning;
 use super::variable::{all_scalar_parameters, resolve_listed_parameters, resolve_variable};
 use crate::diagnostic::SourceSpan;
 use crate::diagnostic::text::count;
-use crate::model::expression::call_messages::refuse_wrong_count;
+use crate::model::expression::call_messages::{refuse_listed_input, refuse_wrong_count};
 use crate::model::expression::frame_items::refuse_frame_derivative;
 use crate::model::expression::nodes::{error_expr, make_expr};
 use crate::model::expression::operators::settle_alone;
@@ -132,7 +132,12 @@ pub(in crate::model) fn resolve_input_derivative(
     let (name, order) = (word.word(), word.order().unwrap_or_default());
     let subject = if word.turns() { "frame" } else { "quantity" };
     let [quantity] = arguments else {
-        refuse_wrong_count(sink, name, &[subject], arguments.len(), span);
+        match arguments {
+            [quantity, variable] if !word.turns() => {
+                refuse_listed_input(sink, name, order, [quantity, variable], span);
+            }
+            _ => refuse_wrong_count(sink, name, &[subject], arguments.len(), span),
+        }
         return error_expr(sink, span);
     };
     let value = if word.turns() {

@@ -19,6 +19,8 @@ pub(in crate::model) struct LinkNames {
     pub(in crate::model) present: bool,
     /// True after a mistake in them: bodies and quantities of links are unknown.
     pub(in crate::model) lost: bool,
+    /// True after a mistake in the name of one of them: any unknown name may be meant.
+    pub(in crate::model) nameless: bool,
     /// The joints of each link.
     pub(in crate::model) members: BTreeMap<String, Vec<String>>,
     /// Messages about names that are no joints of forces.
@@ -31,6 +33,7 @@ impl LinkNames {
         Self {
             present: inventory.is_some() || definition.links_are_lost,
             lost: definition.links_are_lost,
+            nameless: definition.link_names_are_lost,
             members: inventory.map_or_else(BTreeMap::new, |links| links.members.clone()),
             reactions: inventory.map_or_else(BTreeMap::new, |links| links.reactions.clone()),
         }

@@ -64,7 +64,7 @@ pub(in crate::model) fn convert_product(
 }
 
 /// Returns the dimension of a unit.
-fn dimension_of(unit: UnitOfMeasure) -> Dimension {
+pub(in crate::model) fn dimension_of(unit: UnitOfMeasure) -> Dimension {
     Dimension {
         half_kilograms: 2 * unit.kilograms,
         angle: unit.angle,

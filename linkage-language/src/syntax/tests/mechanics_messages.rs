@@ -133,7 +133,7 @@ fn bodies() {
         ),
         (
             "body a = pin on b at p, mass 2,5mm at q;",
-            "expected a clause, found `,`\nhelp: write `2.5mm`: the decimal sign is a point",
+            "the number `2,5mm` has a decimal comma\nhelp: the decimal sign is a point: write `2.5mm`",
         ),
         (
             "body a = pin on b at p, mass (2,) + at q;",

@@ -21,7 +21,7 @@ fn expressions() {
         (".5mm", "help: write `0.5mm`"),
         (
             "1,5mm",
-            "expected `;`, found `,`\nhelp: write `1.5mm`: the decimal sign is a point",
+            "the number `1,5mm` has a decimal comma\nhelp: the decimal sign is a point: write `1.5mm`",
         ),
         ("f(1) + (1 + 2,5)[0](2)", "expected `;`, found `(`"),
         ("2x", "; a product is written `2 * x`"),
