@@ -3,7 +3,8 @@
 use proc_macro2::{Delimiter, TokenTree};
 
 use super::keyword::is_keyword;
-use super::parser::{Parsed, Parser};
+use super::parser::{Parsed, Parser, Reported};
+use crate::diagnostic::SourceSpan;
 
 impl Parser<'_> {
     /// Reports the token after a complete expression, where only `wanted` may stand.
@@ -13,7 +14,20 @@ impl Parser<'_> {
         }
         if let Some(number) = self.decimal_comma() {
             let help = format!("write `{number}`: the decimal sign is a point");
-            return self.expected(wanted, &help);
+            let fact = format!("expected {wanted}, found {}", self.found());
+            let digits = self
+                .stream
+                .peek(1)
+                .map(TokenTree::span)
+                .map(SourceSpan::from);
+            let whole = digits.map(|digits| self.stream.previous_span().to(digits));
+            let message = self
+                .diagnostics
+                .error_with_help(self.stream.span(), fact, help);
+            if let Some(span) = whole {
+                message.suggest(format!("write `{number}`"), span, number);
+            }
+            return Err(Reported);
         }
         if self.at_tolerance() {
             return self.misplaced_tolerance();
