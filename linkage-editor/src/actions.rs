@@ -82,6 +82,10 @@ fn declarations(document: &Document, diagnostic: &Diagnostic) -> Vec<Fix> {
     if is_used || is_member || is_of_language(word) || outline.find(word).is_some() {
         return Vec::new();
     }
+    let is_inside = |block: &Range<usize>| block.contains(&range.start);
+    if !is_inside(&outline.body) && !outline.implementations.iter().any(is_inside) {
+        return Vec::new();
+    }
     // The word is a function, a joint or that of an item.
     let is_called = document.text[range.end..].trim_start().starts_with('(');
     if is_called || !is_value(document, outline, range.start) {
@@ -111,7 +115,10 @@ fn declaring(word: &str, length: &str, outline: &Outline, diagnostic: &Diagnosti
     if !has_input && !is_declared {
         items.push(format!("input {word} = 0deg in 0deg..360deg"));
     }
-    if diagnostic.fixes.is_empty() {
+    // Functions list inputs alone.
+    let mut functions = outline.functions.iter();
+    let is_listed = functions.any(|function| function.arguments.contains(&diagnostic.range.start));
+    if diagnostic.fixes.is_empty() && !is_listed {
         items.extend([
             format!("unknown {word} = 0deg"),
             format!("unknown {word} = 10{length}"),

@@ -9,6 +9,7 @@ use proc_macro2::{TokenStream, extra::invalidate_current_thread_spans};
 
 use crate::diagnostics::{Diagnostic, Related, Severity};
 use crate::facts::Facts;
+use crate::function_facts::{FunctionFacts, functions};
 use crate::suggested::suggested;
 
 /// The results of compiling a text.
@@ -17,6 +18,8 @@ pub(crate) struct Analysis {
     pub(crate) diagnostics: Vec<Diagnostic>,
     /// Types of the mechanisms whose names have no mistake.
     pub(crate) facts: Vec<Facts>,
+    /// The functions of the mechanisms that have programs.
+    pub(crate) functions: Vec<FunctionFacts>,
     /// True if all mechanisms have programs, perhaps in other ranges than the declared ones.
     pub(crate) runs: bool,
 }
@@ -63,6 +66,7 @@ fn checked(source: &Source, text: &str, check: Check) -> Analysis {
     for call in source.calls() {
         for checked in check(call.tokens.clone()) {
             analysis.runs &= checked.unit.is_some() || checked.out_of_range.is_some();
+            analysis.functions.extend(functions(&checked));
             let model = checked.model.as_ref();
             analysis
                 .facts

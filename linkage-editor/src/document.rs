@@ -7,6 +7,7 @@ use crate::computed::{Age, Computed};
 use crate::declaration::NameKind;
 use crate::diagnostics::Diagnostic;
 use crate::facts::Facts;
+use crate::function_facts::FunctionFacts;
 use crate::lexer::Token;
 use crate::name_values::{Value, Values};
 use crate::outline::Outline;
@@ -53,6 +54,8 @@ pub struct Document {
     pub(crate) diagnostics: Vec<Diagnostic>,
     /// Types of the names of all mechanisms, each from the last text in which it had no mistake.
     pub(crate) facts: Vec<Facts>,
+    /// The functions of the last text that could be compiled.
+    pub(crate) functions: Vec<FunctionFacts>,
     pub(crate) computed: Computed,
 }
 
@@ -74,6 +77,7 @@ impl Document {
             later: Vec::new(),
             diagnostics: Vec::new(),
             facts: Vec::new(),
+            functions: Vec::new(),
             computed: Computed::default(),
         };
         document.set_text(text);
@@ -194,6 +198,12 @@ impl Document {
     /// Returns what is known of a mechanism's types.
     pub(crate) fn facts(&self, mechanism: &str) -> Option<&Facts> {
         self.facts.iter().find(|facts| facts.mechanism == mechanism)
+    }
+
+    /// Returns a function of a mechanism in the last text that could be compiled.
+    pub(crate) fn function(&self, mechanism: &str, name: &str) -> Option<&FunctionFacts> {
+        let mut functions = self.functions.iter();
+        functions.find(|function| function.mechanism == mechanism && function.name == name)
     }
 
     /// Returns the values of a mechanism in the last text that could be compiled.

@@ -107,9 +107,22 @@ fn name_described(document: &Document, found: &Use) -> String {
             }
             lines
         }
-        Symbol::Function(..) | Symbol::Field(..) | Symbol::Mechanism(_) => {
-            format!("{} `{name}`", kind.word())
+        Symbol::Function(..) => {
+            let compiled = document.function(mechanism, name);
+            let operations = compiled.map_or_else(String::new, |compiled| {
+                format!("\n\noperations: {}", compiled.operations)
+            });
+            format!("{} `{name}`{operations}", kind.word())
         }
+        Symbol::Field(_, function, _) => {
+            let function = &outline.functions[function].function.name;
+            let compiled = document.function(mechanism, function);
+            let quantity = compiled.and_then(|compiled| compiled.fields.get(name));
+            let quantity = quantity.filter(|quantity| !quantity.is_empty());
+            let quantity = quantity.map_or_else(String::new, |quantity| format!(": {quantity}"));
+            format!("{} `{name}`{quantity}", kind.word())
+        }
+        Symbol::Mechanism(_) => format!("{} `{name}`", kind.word()),
     };
     if !declared.documentation.is_empty() {
         lines += &format!("\n\n---\n\n{}", declared.documentation);

@@ -39,6 +39,7 @@ mod diagnostics;
 mod document;
 mod facts;
 mod formatter;
+mod function_facts;
 mod hints;
 mod hover;
 mod insertion;

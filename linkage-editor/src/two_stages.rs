@@ -97,8 +97,14 @@ impl Document {
         }
         self.is_solved = true;
         let Analysis {
-            diagnostics, runs, ..
+            diagnostics,
+            runs,
+            functions,
+            ..
         } = solved.analysis;
+        if runs {
+            self.functions = functions;
+        }
         let of_names = &self.names.diagnostics;
         let later = diagnostics.iter().filter(|found| !of_names.contains(found));
         self.later = later.cloned().collect();

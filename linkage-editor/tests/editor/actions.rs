@@ -159,6 +159,37 @@ fn a_forgotten_input_of_a_loop() {
 }
 
 #[test]
+fn words_of_a_function_that_are_meant() {
+    let slider = SLIDER.replace("OFFSET", "5mm");
+    let input = replaced(&slider, "stroke(phi)", "stroke(ph)");
+    let caret = after(&input, "stroke(ph");
+    let titles = input.actions(caret..caret).into_iter();
+    let titles: Vec<String> = titles.map(|action| action.fix.title).collect();
+    assert!(
+        titles.iter().all(|title| !title.starts_with("declare")),
+        "{titles:?}"
+    );
+    mended(input, "stroke(ph", "write `phi`");
+    let block = replaced(&slider, "impl Slider", "impl Slyder");
+    let caret = after(&block, "impl Slyder");
+    assert_eq!(block.actions(caret..caret).len(), 1);
+    mended(block, "impl Slyder", "write `Slider`");
+}
+
+#[test]
+fn marks_that_are_meant() {
+    let slider = SLIDER.replace("OFFSET", "5mm");
+    mended(
+        replaced(&slider, "theta = -10deg", "theta == -10deg"),
+        "theta ==",
+        "write `=`",
+    );
+    let comma = replaced(&slider, "unknown s = 150mm", "unknown s = 150,5mm");
+    let text = mended(comma, "s = 150,", "write `150.5mm`");
+    assert!(text.contains("unknown s = 150.5mm;"), "{text}");
+}
+
+#[test]
 fn functions_that_are_meant() {
     let quantity = edited("slider", "velocity(slide)", "velocty(slide)");
     mended(quantity, "velocty", "write `velocity`");

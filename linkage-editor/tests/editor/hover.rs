@@ -127,3 +127,22 @@ fn quantities_of_a_link_are_in_its_description() {
         assert!(found.contains(piece), "{piece} in {found}");
     }
 }
+
+#[test]
+fn functions_have_operations_and_fields_have_quantities() {
+    let slider = template("slider");
+    let shown = |piece: &str| {
+        let hover = slider.hover(after(&slider, piece));
+        hover.expect("a description").markdown
+    };
+    let function = shown("pub fn stroke");
+    assert!(
+        function.starts_with("function `stroke`\n\noperations: "),
+        "{function}"
+    );
+    assert!(function.contains(" sqrt"), "{function}");
+    assert!(
+        shown("Stroke { slide, v")
+            .starts_with("field `v`: derivative of `slide` by `phi`, in mm/rad")
+    );
+}

@@ -188,3 +188,42 @@ fn reading_takes_a_part_of_the_time_of_solving() {
     assert!(read * 4 < solved, "{read:?} of {solved:?}");
     assert!(read < Duration::from_secs(1), "{read:?}");
 }
+
+/// The text between the braces of `mechanism! { }` in a file of the largest examples.
+fn example(file: &str) -> &str {
+    let (_, text) = file.split_once("mechanism! {").expect("a call");
+    text.rsplit_once('}').expect("its end").0
+}
+
+/// A text is compiled once for its messages, and once for its values with other functions:
+/// `cargo test --release -p linkage-editor --test editor -- --ignored --nocapture`.
+#[test]
+#[ignore = "prints times, with optimisation"]
+fn the_times_of_the_stages() {
+    let axle = include_str!("../../../mechanisms/five_link_axle.rs");
+    let machine = include_str!("../../../mechanisms/knitting_machine.rs");
+    let examples = [
+        ("slider", text("slider")),
+        ("five_link_axle", example(axle).to_owned()),
+        ("knitting_machine", example(machine).to_owned()),
+    ];
+    for (name, text) in examples {
+        let mut times: [Vec<Duration>; 3] = Default::default();
+        for _ in 0..5 {
+            let mut document = Document::new(name, "");
+            let timed = |times: &mut Vec<Duration>, begin: Instant| times.push(begin.elapsed());
+            let begin = Instant::now();
+            let solving = document.read(&text).expect("a text");
+            timed(&mut times[0], begin);
+            let begin = Instant::now();
+            let solved = solving.run();
+            timed(&mut times[1], begin);
+            let evaluation = document.finish(solved).expect("values");
+            let begin = Instant::now();
+            assert!(document.take_values(evaluation.run()));
+            timed(&mut times[2], begin);
+        }
+        let [names, messages, values] = times.map(|times| times.into_iter().min().unwrap());
+        println!("{name}: names {names:?}, solution {messages:?}, values {values:?}");
+    }
+}

@@ -8,7 +8,7 @@ use super::expression_tree::{Expr, Toleranced};
 use super::item_name::ItemName;
 use super::joints::{Kind, other_word};
 use super::keyword::{ClauseWord, DeclarationWord, ItemWord, LoadWord, MarkWord};
-use super::parser::{Parsed, Parser};
+use super::parser::{Parsed, Parser, Reported};
 use super::vocabulary::Word;
 use crate::diagnostic::SourceSpan;
 use crate::diagnostic::text::nearest;
@@ -230,7 +230,10 @@ impl Parser<'_> {
     pub(super) fn equals(&mut self, help: &str) -> Parsed<()> {
         if self.stream.eat_punct('=') {
             return if self.stream.is_punct(0, '=') {
-                self.fail("expected `=`, found `==`", "write `=`")
+                let (span, fact) = (self.stream.span(), "expected `=`, found `==`");
+                let message = self.diagnostics.error_with_help(span, fact, "write `=`");
+                message.suggest("write `=`", span, "");
+                Err(Reported)
             } else {
                 Ok(())
             };

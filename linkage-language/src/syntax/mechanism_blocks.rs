@@ -138,7 +138,8 @@ impl Parser<'_> {
             let wanted = &only.name;
             let fact = format!("the struct is named `{wanted}`, its `impl` block `{name}`");
             let help = format!("write `impl {wanted}`");
-            self.diagnostics.error_with_help(name.into(), fact, help);
+            let message = self.diagnostics.error_with_help(name.into(), fact, help);
+            message.suggest(format!("write `{wanted}`"), name.into(), wanted.to_string());
             return Some(0);
         }
         let names: Vec<String> = mechanisms

@@ -168,14 +168,18 @@ fn resolve_listed_input(scope: &Scope, sink: &mut Sink, ident: &Ident) -> Option
         None => format!("unknown input `{text}`"),
     };
     let others = inputs.iter().copied().filter(|input| *input != text);
-    let help = match nearest(&text, others) {
+    let near = nearest(&text, others);
+    let help = match near {
         Some(input) => format!("did you mean `{input}`?"),
         None if inputs.is_empty() => "the mechanism has no input: write `()`".to_owned(),
         None => {
             undeclared_rate(names, &text).unwrap_or_else(|| format!("inputs are {}", list(&inputs)))
         }
     };
-    sink.error_with_help(ident.into(), fact, help);
+    let message = sink.error_with_help(ident.into(), fact, help);
+    if let Some(input) = near {
+        message.suggest(format!("write `{input}`"), ident.into(), input);
+    }
     None
 }
 
