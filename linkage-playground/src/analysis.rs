@@ -6,7 +6,7 @@ use linkage_page::with_drawings;
 use proc_macro2::TokenStream;
 use serde_json::{Value, json};
 
-use crate::document::{FILE, messages};
+use crate::document::{FILE, messages, pass};
 use crate::page::{Page, page};
 
 /// The result of compiling a text.
@@ -24,7 +24,10 @@ struct Compiled {
 pub(crate) fn analysis(text: &str) -> String {
     let compiled = compiled(text);
     let mut messages = match compiled.is_plain {
-        true => Vec::new(),
+        true => {
+            pass();
+            Vec::new()
+        }
         false => messages(text),
     };
     messages.extend(compiled.notes.iter().map(|note| remark(note)));

@@ -1,6 +1,6 @@
 //! The text as editors see it: messages with changes to take, hover, completion.
 
-use std::cell::RefCell;
+use std::cell::{Cell, RefCell};
 use std::ops::Range;
 
 use linkage_editor::{
@@ -17,6 +17,8 @@ pub(crate) const FILE: &str = "mechanism.mech";
 thread_local! {
     /// The document of the latest request. Values of the last text without a mistake are in it.
     static DOCUMENT: RefCell<Option<Document>> = const { RefCell::new(None) };
+    /// True if a later text than the document's was found to have no messages.
+    static IS_PASSED: Cell<bool> = const { Cell::new(false) };
 }
 
 /// Calls a function with the document of a text. The results of an earlier text are kept if it is
@@ -27,21 +29,32 @@ fn with_document<R>(text: &str, ask: impl FnOnce(&Document, &Positions<'_>) -> R
         if document.text() != text || !document.is_solved() {
             document.set_text(text);
         }
+        IS_PASSED.set(false);
         ask(document, &Positions::new(text))
     })
+}
+
+/// Notes that a text has no messages, without reading it: those of the document are older.
+pub(crate) fn pass() {
+    IS_PASSED.set(true);
 }
 
 /// Returns the messages about words and names, and the last ones about the solution, without solving
 /// the text: in milliseconds.
 pub(crate) fn first_messages(text: &str) -> Vec<Value> {
-    DOCUMENT.with_borrow_mut(|stored| {
-        let document = stored.get_or_insert_with(|| Document::new(FILE, ""));
+    let positions = Positions::new(text);
+    let read = |document: &mut Document| {
         if document.text() != text {
             // The solution is asked for next.
             let _ = document.read(text);
         }
-        shown_messages(document, &Positions::new(text))
-    })
+        shown_messages(document, &positions)
+    };
+    let new = || Document::new(FILE, "");
+    match IS_PASSED.get() {
+        true => read(&mut new()),
+        false => DOCUMENT.with_borrow_mut(|stored| read(stored.get_or_insert_with(new))),
+    }
 }
 
 fn shown_messages(document: &Document, positions: &Positions<'_>) -> Vec<Value> {
@@ -217,5 +230,47 @@ fn icon(kind: CompletionKind) -> &'static str {
         CompletionKind::Unit => "type",
         CompletionKind::Law => "enum",
         CompletionKind::Keyword => "keyword",
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::answer;
+    use serde_json::{Value, json};
+
+    fn messages(work: &str, text: &str) -> Vec<String> {
+        let answer = answer(&json!({ "do": work, "text": text }).to_string());
+        let first = answer.lines().next().expect("a line");
+        let found: Value = serde_json::from_str(first).expect("JSON");
+        let messages = found["messages"].as_array().expect("a list").iter();
+        messages
+            .map(|message| message["text"].to_string())
+            .collect()
+    }
+
+    /// Links that reach each other if the rod is long.
+    fn with_rod(length: &str) -> String {
+        format!(
+            "struct Slider {{ unit mm; param rod = {length}; input phi = 0deg in 0deg..360deg; \
+             unknown theta = -10deg; unknown s = 90mm; \
+             loop polar(20mm, phi) + polar(rod, theta) = (s, 5mm); }}"
+        )
+    }
+
+    #[test]
+    fn first_messages_are_those_of_words_and_of_the_last_solution() {
+        let closes = |messages: &[String]| {
+            let mut messages = messages.iter();
+            messages.all(|message| !message.contains("the links") && !message.contains("apart"))
+        };
+        let short = with_rod("2mm");
+        assert!(!closes(&messages("analyse", &short)));
+        // The message of the last solution stays until there is another one.
+        assert!(!closes(&messages("messages", &with_rod("3mm"))));
+        // Now there is another one, without a message.
+        assert_eq!(messages("analyse", &with_rod("80mm")), [""; 0]);
+        assert_eq!(messages("messages", &with_rod("81mm")), [""; 0]);
+        let names = messages("messages", &with_rod("rodd"));
+        assert!(names[0].contains("unknown name `rodd`"), "{names:?}");
     }
 }

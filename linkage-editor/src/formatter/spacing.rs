@@ -122,7 +122,9 @@ impl Gap<'_> {
         else {
             return false;
         };
-        let before = &self.tokens[mark - 1];
+        let Some(before) = mark.checked_sub(1).map(|before| &self.tokens[before]) else {
+            return false;
+        };
         let is_after_unit = match before.kind {
             Kind::Number => before.text(self.text).ends_with(char::is_alphabetic),
             Kind::Word => is_unit(before.text(self.text)),

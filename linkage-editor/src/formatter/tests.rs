@@ -150,6 +150,19 @@ fn brackets_without_partners_are_left_alone() {
     }
 }
 
+/// A comment of which one stroke is left begins with a mark.
+#[test]
+fn a_text_may_begin_with_a_mark() {
+    for mark in "+-*/^=<>:;,.?!&|#".chars() {
+        for rest in ["", " a", "a", " 2mm", "2mm", "(a)", "-a", "mm*mm"] {
+            let text = format!("{mark}{rest}");
+            let once = formatted(&text).expect("tokens");
+            assert_eq!(all_tokens(&text), all_tokens(&once), "{text}");
+        }
+    }
+    assert_eq!(formatted("/ A crank").as_deref(), Some("/ A crank\n"));
+}
+
 #[test]
 fn ends_of_lines_are_those_of_the_text() {
     let text = "struct A {\r\n    unit mm; // a\r\n}\r\n";

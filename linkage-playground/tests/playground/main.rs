@@ -2,6 +2,7 @@
 //! from disk.
 
 mod assist;
+mod broken;
 mod built;
 mod dragged;
 mod kept;

@@ -1,6 +1,6 @@
 //! With a finger on a phone, and with the keys alone.
 
-use linkage_browser::{Key, PHONE};
+use linkage_browser::{DESKTOP, Key, PHONE, accessible};
 
 use crate::page::{FRAME, Shown};
 
@@ -121,5 +121,34 @@ fn keys_lead_everywhere() {
         "playground.editor.text() !== {}",
         serde_json::json!(before)
     ));
+    shown.page.assert_quiet();
+}
+
+/// A screen reader has a name for everything that can be used, and for every picture.
+#[test]
+fn everything_has_a_name() {
+    let Some(mut shown) = Shown::open() else {
+        return;
+    };
+    // With a list of messages as well.
+    shown.type_after("link rod: k, q", "x");
+    shown
+        .page
+        .wait("document.querySelector('#messages button')");
+    // The mechanism is on another tab of the phone.
+    for (screen, least) in [(DESKTOP, 30), (PHONE, 8)] {
+        shown.page.screen(screen);
+        let found = accessible(&mut shown.page);
+        assert!(found.len() >= least, "{found:?}");
+        let nameless: Vec<_> = found.iter().filter(|(_, name)| name.is_empty()).collect();
+        assert!(nameless.is_empty(), "{}: {nameless:?}", screen.name);
+        let has = |role: &str, name: &str| {
+            found
+                .iter()
+                .any(|(other, words)| other == role && words.contains(name))
+        };
+        assert!(has("textbox", "Text of the mechanism"));
+        assert!(has("button", "unknown joint `qx`"), "{found:?}");
+    }
     shown.page.assert_quiet();
 }

@@ -214,6 +214,27 @@ fn files_are_exported() {
     shown.page.assert_quiet();
 }
 
+/// The choice of a format saves its files, which the line below the text reports.
+#[test]
+fn a_chosen_format_is_saved() {
+    let Some(mut shown) = Shown::open() else {
+        return;
+    };
+    shown.choose("slider");
+    shown.page.value(
+        "globalThis.saved = [], HTMLAnchorElement.prototype.click = function () { saved.push(this.download); }",
+    );
+    shown.page.value("(() => { const list = document.getElementById('export'); list.value = 'c'; list.dispatchEvent(new Event('change')); })()");
+    shown.page.wait("saved.length === 2");
+    let status = shown
+        .page
+        .words("document.getElementById('status').textContent");
+    let saved = shown.page.words("saved.join(', ')");
+    assert_eq!(status, format!("Saved: {saved}."));
+    assert!(saved.contains(".h") && saved.contains(".c"), "{saved}");
+    shown.page.assert_quiet();
+}
+
 /// Tabs on a phone, and pictures in light and dark: contrast of words on their ground.
 #[test]
 fn phones_and_dark_rooms_are_served() {

@@ -164,8 +164,11 @@ async function start() {
   }
 
   async function exportAs(format) {
+    say("The files are being made.");
     try {
-      for (const { name, text } of await exported(format)) saveFile(name, text);
+      const files = await exported(format);
+      for (const { name, text } of files) saveFile(name, text);
+      say(`Saved: ${files.map(({ name }) => name).join(", ")}.`);
     } catch ({ message }) {
       say(message);
     }

@@ -74,7 +74,7 @@ function legend(panel) {
     curve.before = element("small");
     curve.cell = element("td", { class: "value" }, curve.value);
     body.append(element("tr", { "data-column": curve.column.key },
-      element("td", {}, shape("svg", { class: "swatch", width: 26, height: 12 }, line)),
+      element("td", {}, shape("svg", { class: "swatch", width: 26, height: 12, "aria-hidden": "true" }, line)),
       element("th", { scope: "row", title: legendTitle(curve.column) }, curve.column.name),
       curve.cell));
   }

@@ -2,6 +2,7 @@
 //!
 //! [`Page::open`] starts Chromium, or says why there is none; the samples are mechanisms computed by hand.
 
+mod access;
 mod chromium;
 mod devtools;
 mod gallery;
@@ -13,6 +14,7 @@ mod processor;
 pub mod samples;
 mod sight;
 
+pub use access::accessible;
 pub use chromium::{find, required};
 pub use gallery::{Entry, entries, folder, some};
 pub use input::{Button, Key};
