@@ -67,7 +67,7 @@ def design_blocks(m, seed: int, first: int, last: int, wanted: np.ndarray) -> li
         cost = (off * off).sum(axis=(0, 2))
         cost[np.isnan(cost)] = np.inf
         best = int(np.argmin(cost))
-        found.append((start, float(cost[best]), start + best, tuple(sets[best])))
+        found.append((start, float(cost[best]), start + best, tuple(map(float, sets[best]))))
     return found
 
 

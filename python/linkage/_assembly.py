@@ -172,7 +172,8 @@ class Assembly:
         Raises
         ------
         AnalysisError
-            For tolerances below zero, a part that does not exist, and no or too many quantities.
+            For tolerances below zero or none at all, a part that does not exist, and no or too many
+            quantities.
         """
         from ._study import study
 

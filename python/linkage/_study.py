@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 from . import _linkage
 from ._describe import Function
+from ._errors import AnalysisError
 from ._numbers import unknown
 from ._threads import threads
 
@@ -181,6 +182,11 @@ def study(
         raise TypeError(
             "dimensions of a study are those of the assembly\nhelp: assemble with other dimensions, "
             "or change tolerances with `mechanism.with_tolerances`"
+        )
+    if not any(one.tolerance for one in assembly.mechanism.parameters.values()):
+        raise AnalysisError(
+            f"no dimension of {assembly.mechanism.name} has a tolerance\nhelp: write "
+            "`param crank = 50mm +- 12um;`, or call `with_tolerances` of the mechanism"
         )
     numbers = [float(taken[one.name]) for one in function.arguments]
     columns = _columns(function, quantities)

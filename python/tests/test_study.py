@@ -108,6 +108,11 @@ def test_ctrl_c_ends_a_study_and_progress_is_shown(m):
     assert 0 < done < all == 10**12
 
 
+def test_a_study_without_tolerances_is_a_mistake(rocking):
+    with pytest.raises(linkage.AnalysisError, match="no dimension of Rocking has a tolerance"):
+        rocking.assemble().monte_carlo("motion", 0.9)
+
+
 @pytest.mark.parametrize(
     ("call", "kind", "text"),
     [

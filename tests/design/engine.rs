@@ -1,16 +1,12 @@
 //! A mechanism that is compiled at run time leads to the designs of the macro's, to the last bit.
 
-#[path = "../programs/four_bar_paths/problems.rs"]
-#[allow(dead_code, reason = "a part of another program")]
-mod problems;
-
 use std::sync::atomic::AtomicBool;
 
 use linkage::design::{Relation, Targets};
 use linkage_engine::{DesignProblem, Mechanism, Variable, compile};
-use problems::{Problem, problems};
 
-use super::{FourBar, FourBarAssembly, LENGTHS};
+use super::LENGTHS;
+use super::seeds::problems::{Problem, problems};
 
 const TEXT: &str = include_str!("../../mechanisms/four_bar_paths.rs");
 

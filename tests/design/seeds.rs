@@ -3,7 +3,7 @@
 
 #[path = "../programs/four_bar_paths/problems.rs"]
 #[allow(dead_code, reason = "a part of another program")]
-mod problems;
+pub(crate) mod problems;
 
 use linkage::design::DesignError;
 use problems::problems;
