@@ -7,7 +7,7 @@ use linkage_engine::{MechanismCall, Source};
 use linkage_language::diagnostic::characters::unreadable_character;
 use proc_macro2::{TokenStream, extra::invalidate_current_thread_spans};
 
-use crate::diagnostics::{Diagnostic, Related, Severity};
+use crate::diagnostics::{Diagnostic, Edit, Fix, Related, Severity};
 use crate::facts::Facts;
 use crate::function_facts::{FunctionFacts, functions};
 use crate::suggested::suggested;
