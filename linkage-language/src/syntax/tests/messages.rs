@@ -241,7 +241,7 @@ fn functions() {
         ),
         (
             "fn f(a) -> F { a.x }",
-            "the quantity has no field name\nhelp: write `a: ...`",
+            "the quantity has no field name\nhelp: write `a_x: a.x` or",
         ),
         (
             "fn f(a) -> F { a; b }",
