@@ -214,6 +214,13 @@ fn slips_in_numbers() {
 }
 
 #[test]
+fn a_tolerance_gets_its_unit() {
+    let slider = edited("slider", "120mm +- 20um", "120mm +- 0.02");
+    let text = mended(slider, "+- 0.02", "write `0.02mm`");
+    assert!(text.contains("120mm +- 0.02mm"), "{text}");
+}
+
+#[test]
 fn names_that_are_meant() {
     let slider = edited("slider", "polar(crank, phi)", "polar(cank, phi)");
     mended(slider, "polar(cank", "write `crank`");

@@ -71,7 +71,7 @@ pub(in crate::model) fn resolve_parameter(
         // One tolerance for all components is one mistake. One without a unit is reported with the
         // value.
         if checked != Some(tolerance.origin) && !(unitless && is_bare(tolerance)) {
-            check_tolerance(sink, tolerance, &wanted);
+            check_tolerance(scope, sink, tolerance, &wanted);
         }
         checked = Some(tolerance.origin);
     }
@@ -153,7 +153,7 @@ fn resolve_tolerance(
     resolve_expression(scope, sink, tolerance, context)
 }
 
-fn check_tolerance(sink: &mut Sink, tolerance: &Expr, wanted: &Type) {
+fn check_tolerance(scope: &Scope, sink: &mut Sink, tolerance: &Expr, wanted: &Type) {
     if tolerance.ty.is_error() || Type::common(&tolerance.ty, wanted).is_some() {
         return;
     }
@@ -163,5 +163,11 @@ fn check_tolerance(sink: &mut Sink, tolerance: &Expr, wanted: &Type) {
     );
     let help = "give both the same dimension, for example `50mm +- 0.01mm`";
     let span = sink.span(tolerance.origin);
-    sink.error_with_help(span, fact, help);
+    let message = sink.error_with_help(span, fact, help);
+    let number = tolerance.bare_number();
+    let number = number.filter(|_| *wanted == Type::Scalar(Dimension::LENGTH));
+    if let Some(number) = number {
+        let length = format!("{number}{}", scope.units.length.name());
+        message.suggest(format!("write `{length}`"), span, length);
+    }
 }
