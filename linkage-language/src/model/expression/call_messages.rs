@@ -82,6 +82,11 @@ pub(in crate::model) fn refuse_count_of_arguments(
             let help = "write `turn(vector, axis, angle)` for a space vector";
             sink.error_with_help(span, fact, help);
         }
+        (Function::Turn, 2) => {
+            let fact = wrong_count(name, parameters, found);
+            let help = "write `rotate(vector, angle)` for a plane vector, `turn(vector, axis, angle)` for a space vector";
+            sink.error_with_help(span, fact, help);
+        }
         _ => refuse_wrong_count(sink, name, parameters, found, span),
     }
 }
