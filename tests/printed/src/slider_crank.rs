@@ -33,13 +33,6 @@ pub struct SliderCrank<T = ::core::primitive::f64> {
     /// `offset`, in mm; default 5, tolerance 0.05.
     pub offset: T,
 }
-#[doc(hidden)]
-pub type __SliderCrankCore<T> = ::linkage::__private::Core<
-    SliderCrank<T>,
-    [::linkage::__private::AssemblyMode; 1],
-    ::linkage::__private::Turns<T, 0, 1>,
-    [T; 9],
->;
 /// An assembled `SliderCrank`: closed loops in one assembly, everything prepared that does not depend on the inputs.
 ///
 /// # Sweeps
@@ -66,7 +59,14 @@ pub type __SliderCrankCore<T> = ::linkage::__private::Core<
     ::core::cmp::PartialEq
 )]
 pub struct SliderCrankAssembly<T = ::core::primitive::f64> {
-    __sealed: ::linkage::__private::Sealed<__SliderCrankCore<T>>,
+    __sealed: ::linkage::__private::Sealed<
+        ::linkage::__private::Core<
+            SliderCrank<T>,
+            [::linkage::__private::AssemblyMode; 1],
+            ::linkage::__private::Turns<T, 0, 1>,
+            [T; 9],
+        >,
+    >,
 }
 mod __SliderCrank_stroke {
     use super::*;
@@ -311,6 +311,12 @@ const _: () = {
     fn __values<T: __p::Scalar>(__mechanism: &SliderCrank<T>) -> [T; 3] {
         [__mechanism.crank, __mechanism.rod, __mechanism.offset]
     }
+    type __SliderCrankCore<T> = __p::Core<
+        SliderCrank<T>,
+        [__p::AssemblyMode; 1],
+        __p::Turns<T, 0, 1>,
+        [T; 9],
+    >;
     impl<T> SliderCrankAssembly<T> {
         /// The dimensions that it was assembled with.
         #[must_use]
