@@ -8,6 +8,7 @@
 //! without a dead point between them.
 
 use core::fmt;
+use std::boxed::Box;
 use std::vec::Vec;
 
 use linkage_core::format::rounded;
@@ -34,7 +35,7 @@ pub struct Interrupted {
 #[non_exhaustive]
 pub enum Interruption {
     /// It assembles nowhere.
-    Unassembled(AssemblyError),
+    Unassembled(Box<AssemblyError>),
     /// No single assembly has all positions that are wanted: it would have to be taken apart
     /// between two of them.
     Apart,
@@ -83,7 +84,7 @@ pub(crate) fn certify<A>(
     found: Result<Circuits<A>, AssemblyError>,
     mut same: impl FnMut(&Branch<A>) -> bool,
 ) -> Result<Branch<A>, Interruption> {
-    let found = found.map_err(Interruption::Unassembled)?;
+    let found = found.map_err(|error| Interruption::Unassembled(Box::new(error)))?;
     let turns = found.cycle.turn().is_some();
     let mut parts = Vec::new();
     for branch in found.branches {

@@ -284,3 +284,6 @@ pub struct Refusals {
     /// The error of the first start of a search that has its own, with its numbers.
     pub first: Option<Box<DesignError>>,
 }
+
+/// Functions of users return it: clippy warns of errors of 128 bytes.
+const _: () = assert!(size_of::<DesignError>() < 128, "results with it are large");

@@ -1,6 +1,7 @@
 //! The proof of an optimum: its conditions hold, and it runs through its whole range on one
 //! circuit.
 
+use std::boxed::Box;
 use std::string::{String, ToString};
 use std::vec::Vec;
 
@@ -187,7 +188,7 @@ impl<M: Dimensions<N>, A, const N: usize> Problem<'_, M, A, N> {
     ) -> Interruption {
         let branches = match circuits {
             Ok(circuits) => &circuits.branches,
-            Err(error) => return Interruption::Unassembled(error.clone()),
+            Err(error) => return Interruption::Unassembled(Box::new(error.clone())),
         };
         let parts: Vec<_> = branches
             .iter()
@@ -195,7 +196,7 @@ impl<M: Dimensions<N>, A, const N: usize> Problem<'_, M, A, N> {
             .collect();
         match (parts.is_empty(), (self.assemble)(&self.mechanism(x))) {
             (false, _) => Interruption::Ends(intervals(&parts)),
-            (true, Err(error)) => Interruption::Unassembled(error),
+            (true, Err(error)) => Interruption::Unassembled(Box::new(error)),
             (true, Ok(_)) => Interruption::Apart,
         }
     }

@@ -21,11 +21,12 @@ impl Parser<'_> {
             message.suggest_text("write `;`", span, EditLocation::After, ";");
             return Ok(());
         }
-        if self.stream.is_punct(0, ',') && self.stream.is_punct(2, '=') {
-            if let Some(name) = self.stream.ident(1).map(ToString::to_string) {
-                let help = format!("each name has an item: write `;` and its word before `{name}`");
-                return self.expected("`;`", &help);
-            }
+        if self.stream.is_punct(0, ',')
+            && self.stream.is_punct(2, '=')
+            && let Some(name) = self.stream.ident(1).map(ToString::to_string)
+        {
+            let help = format!("each name has an item: write `;` and its word before `{name}`");
+            return self.expected("`;`", &help);
         }
         self.unexpected_after_expression("`;`")
     }
