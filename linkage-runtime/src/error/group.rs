@@ -74,7 +74,6 @@ impl GroupRef {
 
 impl fmt::Display for GroupRef {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "{}: ", self.mechanism)?;
-        self.write_alone(f)
+        write!(f, "{}: {}", self.mechanism, self.alone())
     }
 }
