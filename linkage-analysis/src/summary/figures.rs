@@ -151,8 +151,8 @@ impl<const N: usize, F: Fn(f64) -> [f64; N]> Curve<N, F> {
     /// let curve = Curve::new((0.0, std::f64::consts::TAU), 360, yoke)?;
     /// assert_eq!(
     ///     curve.describe_dwells(20.0, "mm", "rad").to_string(),
-    ///     "dwell           60 deg from 60 deg to 120 deg, 20 mm to 40 mm\n\
-    ///      dwell           60 deg from 240 deg to 300 deg, -40 mm to -20 mm\n"
+    ///     "dwell           120 deg from 30 deg to 150 deg, 20 mm to 40 mm\n\
+    ///      dwell           120 deg from 210 deg to 330 deg, -40 mm to -20 mm\n"
     /// );
     /// # Ok::<(), linkage_analysis::summary::SummaryError>(())
     /// ```
