@@ -3,8 +3,8 @@
 use std::collections::BTreeMap;
 
 use linkage_compiler::Checked;
-use linkage_compiler::ir::{Function, plain};
-use linkage_runtime::Operations;
+use linkage_compiler::ir::plain;
+use linkage_runtime::support::operations;
 
 /// A compiled function.
 #[derive(Clone, Debug)]
@@ -27,7 +27,7 @@ pub(crate) fn functions(checked: &Checked) -> Vec<FunctionFacts> {
     let facts = unit.functions.iter().map(|function| FunctionFacts {
         mechanism: mechanism.clone(),
         name: plain(&function.name).to_owned(),
-        operations: operations(function).to_string(),
+        operations: operations(function.called.count.by_class()).to_string(),
         fields: function
             .fields
             .iter()
@@ -35,17 +35,4 @@ pub(crate) fn functions(checked: &Checked) -> Vec<FunctionFacts> {
             .collect(),
     });
     facts.collect()
-}
-
-fn operations(function: &Function) -> Operations {
-    let count = &function.called.count;
-    Operations {
-        add: count.add,
-        mul: count.mul,
-        div: count.div,
-        sqrt: count.sqrt,
-        sin_cos: count.sin_cos,
-        atan2: count.atan2,
-        other: count.other,
-    }
 }

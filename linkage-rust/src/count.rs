@@ -6,18 +6,8 @@ use quote::quote;
 
 /// The runtime's `Operations`.
 pub(super) fn literal(runtime: &TokenStream, count: &Count) -> TokenStream {
-    let Count {
-        add,
-        mul,
-        div,
-        sqrt,
-        sin_cos,
-        atan2,
-        other,
-    } = *count;
-    quote! {
-        #runtime::operations([#add, #mul, #div, #sqrt, #sin_cos, #atan2, #other])
-    }
+    let counts = count.by_class();
+    quote!(#runtime::operations([#(#counts),*]))
 }
 
 /// `12 additions, 3 square roots`, or `none`.

@@ -3,7 +3,7 @@
 use std::collections::BTreeSet;
 
 use linkage_symbolic::passes::stages::Stage;
-use linkage_symbolic::program::{Instruction, Program, Source};
+use linkage_symbolic::program::Program;
 use proc_macro2::TokenStream;
 use quote::{ToTokens, quote};
 
@@ -29,20 +29,12 @@ pub(super) struct Slots {
 impl Slots {
     /// Those that stages load; `prepare` is the program of all.
     pub(super) fn for_stages(stages: &[Stage], prepare: &Program) -> Self {
-        let instructions = stages.iter().flat_map(|stage| &stage.program.instructions);
-        let used = instructions.filter_map(|instruction| match instruction {
-            Instruction::Load(Source::Prepared(slot)) => Some(*slot),
-            _ => None,
-        });
+        let used = stages
+            .iter()
+            .flat_map(|stage| stage.program.prepared_slots());
         let used: Vec<usize> = used.collect::<BTreeSet<usize>>().into_iter().collect();
         let others = prepare.outputs.len() - used.len();
-        let program = (others > OTHERS).then(|| {
-            let program = Program {
-                instructions: prepare.instructions.clone(),
-                outputs: used.iter().map(|&slot| prepare.outputs[slot]).collect(),
-            };
-            program.without_unused()
-        });
+        let program = (others > OTHERS).then(|| prepare.part(used.iter().copied()));
         Self { used, program }
     }
 

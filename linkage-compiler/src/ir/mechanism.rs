@@ -1,5 +1,7 @@
 //! The compiled mechanism: its signature, its groups and all its programs.
 
+use std::collections::BTreeSet;
+
 use linkage_core::Level;
 use linkage_core::range_check::{self, Driven};
 use linkage_symbolic::program::{Instruction, Program, Source};
@@ -82,20 +84,9 @@ impl CompiledMechanism {
     /// Returns the program that prepares the slots that another program loads, and these slots: for
     /// sweeps over mechanisms.
     pub fn preparing(&self, body: &Program) -> (Program, Vec<usize>) {
-        let loaded = body
-            .instructions
-            .iter()
-            .filter_map(|instruction| match instruction {
-                Instruction::Load(Source::Prepared(slot)) => Some(*slot),
-                _ => None,
-            });
-        let mut slots: Vec<usize> = loaded.collect();
-        slots.sort_unstable();
-        slots.dedup();
-        let mut program = self.prepare.clone();
-        let outputs = &self.prepare.outputs;
-        program.outputs = slots.iter().map(|&slot| outputs[slot]).collect();
-        (program.without_unused(), slots)
+        let slots: BTreeSet<usize> = body.prepared_slots().collect();
+        let slots: Vec<usize> = slots.into_iter().collect();
+        (self.prepare.part(slots.iter().copied()), slots)
     }
 
     /// Returns the way in which a number of a coupled group is shown and measured.

@@ -201,12 +201,7 @@ impl Machine {
 
     /// Returns the part of the program that computes some of its outputs.
     pub(crate) fn part(&self, outputs: impl IntoIterator<Item = usize>) -> Program {
-        let whole = &self.closure.program;
-        let part = Program {
-            instructions: whole.instructions.clone(),
-            outputs: outputs.into_iter().map(|k| whole.outputs[k]).collect(),
-        };
-        part.without_unused()
+        self.closure.program.part(outputs)
     }
 
     /// Returns the outputs of a part of the program at given inputs.

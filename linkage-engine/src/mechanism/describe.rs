@@ -109,16 +109,7 @@ pub(super) fn structure(unit: &CompiledMechanism) -> &'static Structure {
 }
 
 fn operations(count: &Count) -> Operations {
-    let Count {
-        add,
-        mul,
-        div,
-        sqrt,
-        sin_cos,
-        atan2,
-        other,
-    } = *count;
-    support::operations([add, mul, div, sqrt, sin_cos, atan2, other])
+    support::operations(count.by_class())
 }
 
 pub(super) fn headings(unit: &CompiledMechanism) -> Vec<&'static Heading> {

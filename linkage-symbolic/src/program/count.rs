@@ -25,6 +25,20 @@ pub struct Count {
 }
 
 impl Count {
+    /// Returns the counts in the order of the fields.
+    pub fn by_class(self) -> [u32; 7] {
+        let Self {
+            add,
+            mul,
+            div,
+            sqrt,
+            sin_cos,
+            atan2,
+            other,
+        } = self;
+        [add, mul, div, sqrt, sin_cos, atan2, other]
+    }
+
     /// Counts the operations of a program.
     pub fn of_program(program: &Program) -> Self {
         let mut count = Self::default();

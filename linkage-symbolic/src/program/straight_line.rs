@@ -1,7 +1,7 @@
 //! Straight-line programs: a sliced, scheduled graph, before it is printed as code.
 
 use super::instruction::{Instruction, Value};
-use crate::graph::Binding;
+use crate::graph::{Binding, Source};
 use crate::operation::Binary;
 
 /// A straight-line program: instructions in order of execution, results by index.
@@ -87,6 +87,25 @@ impl Program {
         }
         kept.outputs = self.outputs.iter().map(|x| places[x.0]).collect();
         kept
+    }
+
+    /// Returns the program that computes some of the outputs, by their numbers.
+    #[must_use]
+    pub fn part(&self, outputs: impl IntoIterator<Item = usize>) -> Self {
+        let part = Self {
+            instructions: self.instructions.clone(),
+            outputs: outputs.into_iter().map(|k| self.outputs[k]).collect(),
+        };
+        part.without_unused()
+    }
+
+    /// Returns the prepared slots that the program loads, in the order of its instructions.
+    pub fn prepared_slots(&self) -> impl Iterator<Item = usize> {
+        let instructions = self.instructions.iter();
+        instructions.filter_map(|instruction| match instruction {
+            Instruction::Load(Source::Prepared(slot)) => Some(*slot),
+            _ => None,
+        })
     }
 
     /// Returns a mistake of the program, or nothing if every pass kept to the rules: operands
