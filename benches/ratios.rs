@@ -92,10 +92,6 @@ fn main() {
     let e2 = exported::K2::new(m::dimensions2(&two));
     let e3 = exported::K3::new(s::dimensions3(&three));
     let e4 = exported::K4::new(s::dimensions4(&four));
-    let r1 = exported::K1Rows::new(m::dimensions1(&one));
-    let r2 = exported::K2Rows::new(m::dimensions2(&two));
-    let r3 = exported::K3Rows::new(s::dimensions3(&three));
-    let r4 = exported::K4Rows::new(s::dimensions4(&four));
     let mut random = Random::new(17);
     let mut all = |step: f64| -> [f64; POSITIONS] {
         let mut order: [usize; POSITIONS] = std::array::from_fn(|i| i);
@@ -108,7 +104,7 @@ fn main() {
     let [x, y, z] = &[(); 3].map(|()| all(step / 6.0));
 
     macro_rules! rows {
-        ($($folded:ident $linkage:ident $c:ident $exported:ident $swept:ident $assembly:ident $function:ident $sweep:ident
+        ($($folded:ident $linkage:ident $c:ident $exported:ident $assembly:ident $function:ident $sweep:ident
            $module:ident $result:ident.$point:ident $columns:ident $numbers:ty;
            $first:ident $($more:ident)*),* $(,)?) => {
             [$({
@@ -137,7 +133,7 @@ fn main() {
                 let mut columns = $linkage.$sweep($first, $($more),*);
                 let mut blocks = c::sweep::Columns::new(numbers.len(), POSITIONS);
                 let mut rows = [{ let none: $numbers = [0.0; _]; none }; POSITIONS];
-                $swept.$function($first, $($more,)* &mut rows);
+                $exported.$sweep($first, $($more,)* &mut rows);
                 for (i, row) in rows.iter().enumerate() {
                     agree(row, &$exported.$function($first[i], $($more[i]),*).0);
                 }
@@ -204,7 +200,7 @@ fn main() {
                         }),
                         Candidate::new("exported sweep", POSITIONS * REPEATS, || {
                             for _ in 0..REPEATS {
-                                $swept.$function(black_box($first), $($more,)* &mut rows);
+                                $exported.$sweep(black_box($first), $($more,)* &mut rows);
                                 black_box(&mut rows);
                             }
                         }),
@@ -232,18 +228,18 @@ fn main() {
         };
     }
     let rows = rows![
-        K1 k1 c1 e1 r1 K1Assembly point point_sweep m K1Point.tracer point_sweep_into linkage_peers::Position; phi,
-        K1 k1 c1 e1 r1 K1Assembly motion motion_sweep m K1Motion.tracer motion_sweep_into linkage_peers::Motion; phi,
-        K1 k1 c1 e1 r1 K1Assembly accuracy accuracy_sweep m K1Accuracy.tracer accuracy_sweep_into linkage_peers::Sensitivities1; phi,
-        K2 k2 c2 e2 r2 K2Assembly point point_sweep m K2Point.p10 point_sweep_into linkage_peers::Position; phi,
-        K2 k2 c2 e2 r2 K2Assembly motion motion_sweep m K2Motion.p10 motion_sweep_into linkage_peers::Motion; phi,
-        K2 k2 c2 e2 r2 K2Assembly accuracy accuracy_sweep m K2Accuracy.p10 accuracy_sweep_into linkage_peers::Sensitivities2; phi,
-        K3 k3 c3 e3 r3 K3Assembly point point_sweep s K3Point.end point_sweep_into [f64; 3]; phi,
-        K3 k3 c3 e3 r3 K3Assembly motion motion_sweep s K3Motion.end motion_sweep_into [f64; 11]; phi,
-        K3 k3 c3 e3 r3 K3Assembly accuracy accuracy_sweep s K3Accuracy.end accuracy_sweep_into [f64; 27]; phi,
-        K4 k4 c4 e4 r4 K4Assembly point point_sweep s K4Point.p point_sweep_into [f64; 3]; x y z,
-        K4 k4 c4 e4 r4 K4Assembly motion motion_sweep s K4Motion.p motion_sweep_into [f64; 12]; x y z,
-        K4 k4 c4 e4 r4 K4Assembly curvature curvature_sweep s K4Curvature.p curvature_sweep_into [f64; 39]; x y z,
+        K1 k1 c1 e1 K1Assembly point point_sweep m K1Point.tracer point_sweep_into linkage_peers::Position; phi,
+        K1 k1 c1 e1 K1Assembly motion motion_sweep m K1Motion.tracer motion_sweep_into linkage_peers::Motion; phi,
+        K1 k1 c1 e1 K1Assembly accuracy accuracy_sweep m K1Accuracy.tracer accuracy_sweep_into linkage_peers::Sensitivities1; phi,
+        K2 k2 c2 e2 K2Assembly point point_sweep m K2Point.p10 point_sweep_into linkage_peers::Position; phi,
+        K2 k2 c2 e2 K2Assembly motion motion_sweep m K2Motion.p10 motion_sweep_into linkage_peers::Motion; phi,
+        K2 k2 c2 e2 K2Assembly accuracy accuracy_sweep m K2Accuracy.p10 accuracy_sweep_into linkage_peers::Sensitivities2; phi,
+        K3 k3 c3 e3 K3Assembly point point_sweep s K3Point.end point_sweep_into [f64; 3]; phi,
+        K3 k3 c3 e3 K3Assembly motion motion_sweep s K3Motion.end motion_sweep_into [f64; 11]; phi,
+        K3 k3 c3 e3 K3Assembly accuracy accuracy_sweep s K3Accuracy.end accuracy_sweep_into [f64; 27]; phi,
+        K4 k4 c4 e4 K4Assembly point point_sweep s K4Point.p point_sweep_into [f64; 3]; x y z,
+        K4 k4 c4 e4 K4Assembly motion motion_sweep s K4Motion.p motion_sweep_into [f64; 12]; x y z,
+        K4 k4 c4 e4 K4Assembly curvature curvature_sweep s K4Curvature.p curvature_sweep_into [f64; 39]; x y z,
     ];
     print(&rows);
 }

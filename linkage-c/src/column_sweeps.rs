@@ -10,6 +10,7 @@ use crate::comment::comment;
 use crate::evaluator::values;
 use crate::real::Real;
 use crate::source::writer;
+use crate::states::is_closed;
 use crate::surface::surface;
 use crate::writer::{Writer, source_expression};
 use crate::{Sources, sources};
@@ -98,11 +99,6 @@ pub fn column_sweeps(
         error: surface.error.name.clone(),
         sources,
     })
-}
-
-/// True for a function without a coupled group.
-fn is_closed(function: &FunctionDeclaration) -> bool {
-    function.function.states.is_empty() && function.function.beside.is_none()
 }
 
 /// The sweep of a function over positions.

@@ -5,7 +5,7 @@ use std::fmt::Write;
 use linkage_export::{FunctionDeclaration, scalar_paths};
 use linkage_symbolic::program::Source;
 
-use crate::states::look_up;
+use crate::states::{is_closed, look_up};
 use crate::surface::{Evaluator, Surface};
 use crate::writer::{Writer, source_expression, used};
 
@@ -39,7 +39,7 @@ pub(crate) fn evaluator(
         let at: String = arguments.map(|entry| format!(", {entry}[k]")).collect();
         let (name, signature) = (&declared.name, &sweep.signature);
         // A group that is solved step by step keeps rows apart.
-        let rows = match states(writer.surface, function).is_empty() {
+        let rows = match is_closed(function) {
             true => format!("{}rows ", writer.surface.declarations.private),
             false => String::new(),
         };

@@ -3,6 +3,7 @@
 use std::collections::BTreeSet;
 
 use linkage_core::Scalar;
+use linkage_export::FunctionDeclaration;
 use linkage_symbolic::program::{Instruction, Program, Source};
 
 use crate::real::Real;
@@ -14,6 +15,11 @@ pub(crate) fn limit(real: Real) -> String {
         Real::Double | Real::Fused => f64::CORRECTION_LIMIT,
         Real::Single => f32::CORRECTION_LIMIT,
     })
+}
+
+/// Returns true for a function without a coupled group.
+pub(crate) fn is_closed(function: &FunctionDeclaration) -> bool {
+    function.function.states.is_empty() && function.function.beside.is_none()
 }
 
 /// Returns statements that find the states that a program loads, except that of group `except`;
