@@ -29,14 +29,6 @@ const BROKEN: &str = "(async (first, end, step) => { \
      const whole = text(); \
      const places = [...whole].reduce((all, letter) => [...all, all.at(-1) + letter.length], [0]); \
      const shown = () => document.body.dataset.shown; \
-     const renewed = (before) => new Promise((done) => { \
-       const observer = new MutationObserver(() => { \
-         if (shown() === before) return; \
-         observer.disconnect(); \
-         done(performance.now()); \
-       }); \
-       observer.observe(document.body, { attributes: true }); \
-     }); \
      const found = { keys: [], answers: [], failures: [] }; \
      let out = null; \
      const put = () => (out === null ? [] : [{ from: out.from, insert: out.letter }]); \

@@ -10,6 +10,17 @@ pub(crate) const FRAME: &str = "document.getElementById('frame').contentDocument
 /// The root of the editor.
 pub(crate) const EDITOR: &str = "document.getElementById('editor').shadowRoot";
 
+/// A function for tests in the page: resolves with the time at which the page shows another state than
+/// the one before.
+const RENEWED: &str = "globalThis.renewed = (before) => new Promise((done) => { \
+     const observer = new MutationObserver(() => { \
+       if (document.body.dataset.shown === before) return; \
+       observer.disconnect(); \
+       done(performance.now()); \
+     }); \
+     observer.observe(document.body, { attributes: true }); \
+   }); null";
+
 /// A playground that has shown its first mechanism.
 pub(crate) struct Shown {
     pub(crate) page: Page,
@@ -23,6 +34,7 @@ impl Shown {
         page.still(true);
         page.load(file);
         page.wait("document.body.dataset.shown");
+        page.value(RENEWED);
         Some(Self { page })
     }
 

@@ -27,7 +27,7 @@ struct Robot<'a> {
     heading: &'a Heading,
     inertials: &'a Inertials,
     coordinates: &'a [Coordinate],
-    couplings: Vec<Coupling>,
+    couplings: &'a [Coupling],
     /// Relations that are exact, with the limits of further inputs.
     relations: Option<&'a Relations>,
     lines: Lines,
@@ -41,9 +41,13 @@ pub(super) fn text(
     coordinates: &[Coordinate],
     equations: &Equations,
 ) -> String {
+    let exact;
     let (couplings, relations) = match equations {
-        Equations::Polynomials(found) => (found.clone(), None),
-        Equations::Loops(relations) => (relations.couplings(), Some(relations)),
+        Equations::Polynomials(found) => (&found[..], None),
+        Equations::Loops(relations) => {
+            exact = relations.couplings();
+            (&exact[..], Some(relations))
+        }
     };
     let mut robot = Robot {
         skeleton,
@@ -142,10 +146,8 @@ impl Robot<'_> {
         let name = &coordinate.name;
         let driver = &self.heading.driver;
         let mut couplings = self.couplings.iter();
-        let coupling = couplings
-            .find(|coupling| coupling.coordinate == number)
-            .cloned();
-        if let Some(coupling) = &coupling {
+        let coupling = couplings.find(|coupling| coupling.coordinate == number);
+        if let Some(coupling) = coupling {
             self.lines
                 .comment(&self.heading.remark(coordinate, coupling));
             if coupling.coefficients.is_empty() {
@@ -153,7 +155,7 @@ impl Robot<'_> {
                 return;
             }
         }
-        let limits = match &coupling {
+        let limits = match coupling {
             Some(coupling) => {
                 let [low, high] = coupling.ends;
                 Some([low - coupling.error, high + coupling.error])
@@ -181,7 +183,7 @@ impl Robot<'_> {
                 "<limit lower=\"{low}\" upper=\"{high}\" effort=\"{NO_LIMIT}\" velocity=\"{NO_LIMIT}\"/>"
             ));
         }
-        if let Some(coupling) = &coupling
+        if let Some(coupling) = coupling
             && let [offset, multiplier] = coupling.coefficients[..]
         {
             let [offset, multiplier] = [offset, multiplier].map(super::xml::number);

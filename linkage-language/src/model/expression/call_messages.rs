@@ -18,15 +18,14 @@ pub(in crate::model) fn refuse_unknown_function(names: &Names, sink: &mut Sink, 
         Some(symbol) => format!("`{name}` is {}, not a function", symbol.kind()),
         None => format!("unknown function `{name}`"),
     };
+    let notation = other_notation(&name);
     let near = other_word(&name).or_else(|| nearest(&name, known));
-    let meant = match other_notation(&name) {
-        Some(help) => Some(help.to_owned()),
-        None => near.map(|function| format!("did you mean `{function}`?")),
-    };
-    let help = match (names.find(&name), meant) {
-        (Some(_), _) => format!("write `{name} * (...)` for a product"),
-        (None, Some(help)) => help,
-        (None, None) => {
+    let near = near.filter(|_| names.find(&name).is_none() && notation.is_none());
+    let help = match (names.find(&name), notation, near) {
+        (Some(_), ..) => format!("write `{name} * (...)` for a product"),
+        (None, Some(help), _) => help.to_owned(),
+        (None, None, Some(function)) => format!("did you mean `{function}`?"),
+        (None, None, None) => {
             let functions: Vec<&str> = functions().collect();
             let quantities: Vec<&str> = QuantityWord::all().map(QuantityWord::word).collect();
             format!(
@@ -36,9 +35,8 @@ pub(in crate::model) fn refuse_unknown_function(names: &Names, sink: &mut Sink, 
             )
         }
     };
-    let written = near.filter(|_| names.find(&name).is_none() && other_notation(&name).is_none());
     let message = sink.error_with_help(ident.into(), fact, help);
-    if let Some(function) = written {
+    if let Some(function) = near {
         message.suggest(format!("write `{function}`"), ident.into(), function);
     }
 }

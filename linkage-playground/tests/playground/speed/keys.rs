@@ -15,14 +15,6 @@ const TYPED: &str = "(async (written, keys) => { \
      const at = text().indexOf(written) + written.length - 1; \
      const digit = Number(written.at(-1)); \
      const shown = () => document.body.dataset.shown; \
-     const renewed = (before) => new Promise((done) => { \
-       const observer = new MutationObserver(() => { \
-         if (shown() === before) return; \
-         observer.disconnect(); \
-         done(performance.now()); \
-       }); \
-       observer.observe(document.body, { attributes: true }); \
-     }); \
      const painted = () => new Promise((done) => requestAnimationFrame(() => { \
        const { port1, port2 } = new MessageChannel(); \
        port1.onmessage = () => done(performance.now()); \
