@@ -6,7 +6,7 @@ use linkage_export::{FunctionDeclaration, scalar_paths};
 use linkage_symbolic::program::Source;
 
 use crate::states::{is_closed, look_up};
-use crate::surface::{Evaluator, Surface};
+use crate::surface::{Declared, Evaluator, Surface};
 use crate::writer::{Writer, source_expression, used};
 
 /// Writes a function of the user, and its sweep.
@@ -33,19 +33,36 @@ pub(crate) fn evaluator(
     let arguments = arguments.map(|argument| &argument.name[..]);
     let names: Vec<&str> = ["m"].into_iter().chain(arguments.clone()).collect();
     let body = format!("    {result} result;\n") + &used(&names, body) + "    return result;\n";
-    let signature = &declared.signature;
-    let _ = writeln!(writer.text, "{signature}\n{{\n{body}}}\n");
-    if let Some(sweep) = sweep {
-        let at: String = arguments.map(|entry| format!(", {entry}[k]")).collect();
-        let (name, signature) = (&declared.name, &sweep.signature);
-        // A group that is solved step by step keeps rows apart.
-        let rows = match is_closed(function) {
-            true => format!("{}rows ", writer.surface.declarations.private),
-            false => String::new(),
-        };
+    let call = |function: &str, end: &str| {
+        let inputs = arguments.clone().map(|entry| format!(", {entry}{end}"));
+        format!("{function}(m{})", inputs.collect::<String>())
+    };
+    let Declared {
+        name,
+        signature,
+        parameters,
+    } = declared;
+    // A group that is solved step by step keeps rows apart.
+    let is_one = sweep.is_some() && is_closed(function);
+    let private = &writer.surface.declarations.private;
+    let (row, rows) = match is_one {
+        true => (format!("{private}row_{name}"), format!("{private}rows ")),
+        false => (name.clone(), String::new()),
+    };
+    let text = match is_one {
+        // A library may not take over a function that another one can replace: rows have their own.
+        true => format!(
+            "static {result} {row}({parameters})\n{{\n{body}}}\n\n{rows}{signature}\n{{\n    return {};\n}}\n\n",
+            call(&row, "")
+        ),
+        false => format!("{signature}\n{{\n{body}}}\n\n"),
+    };
+    writer.text += &text;
+    if let Some(Declared { signature, .. }) = sweep {
         let _ = writeln!(
             writer.text,
-            "{rows}{signature}\n{{\n    size_t k;\n    for (k = 0; k < count; k++) results[k] = {name}(m{at});\n}}\n"
+            "{rows}{signature}\n{{\n    size_t k;\n    for (k = 0; k < count; k++) results[k] = {};\n}}\n",
+            call(&row, "[k]")
         );
     }
 }

@@ -6,6 +6,8 @@ pub(crate) struct Declared {
     pub(crate) name: String,
     /// Its macro, type, name and parameters, without the semicolon of a declaration.
     pub(crate) signature: String,
+    /// Its parameters.
+    pub(crate) parameters: String,
 }
 
 impl Declared {
@@ -16,6 +18,7 @@ impl Declared {
         Self {
             name: name.to_owned(),
             signature: format!("{api} {result}{blank}{name}({parameters})"),
+            parameters: parameters.to_owned(),
         }
     }
 }

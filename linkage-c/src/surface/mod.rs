@@ -12,6 +12,7 @@ mod target;
 pub(crate) use build::surface;
 pub(crate) use constant::{API, FINITE_MATH, LOCAL, OFF};
 pub(crate) use data::Surface;
+pub(crate) use declared::Declared;
 pub(crate) use evaluator::Evaluator;
 pub(crate) use range_names::{KINDS, RangeNames};
 pub(crate) use refusal::{Code, Why};
