@@ -16,6 +16,9 @@ const TEXT: &str = include_str!("peers/src/mechanisms.rs");
 /// Positions in one sweep.
 const POSITIONS: usize = 1024;
 
+/// Positions in a sweep whose columns are not kept near the processor, as those of Python are.
+const MANY: usize = 1_000_000;
+
 /// Sweeps in one run.
 const REPEATS: usize = 16;
 
@@ -29,8 +32,11 @@ fn main() {
         let mut named = all.iter().filter(|mechanism| mechanism.name() == name);
         named.next().expect("it is in the file")
     };
-    let step = std::f64::consts::TAU / POSITIONS as f64;
-    let phi: Vec<f64> = (0..POSITIONS).map(|index| index as f64 * step).collect();
+    let turn = |count: usize| -> Vec<f64> {
+        let step = std::f64::consts::TAU / count as f64;
+        (0..count).map(|index| index as f64 * step).collect()
+    };
+    let (phi, many) = (turn(POSITIONS), turn(MANY));
     let (k1, k2) = (m::K1::default(), m::K2::default());
     let (k1, k2) = (
         k1.assemble().expect("K1 assembles"),
@@ -43,6 +49,7 @@ fn main() {
             let assembly = mechanism.assemble(&mechanism.dimensions()).expect("it assembles");
             let number = mechanism.function(stringify!($function)).expect("it has the function");
             let (mut columns, mut own) = ($linkage.$sweep(&phi), Columns::default());
+            let mut long = $linkage.$sweep(&many);
             assembly.sweep_into(number, &[&phi], &mut own);
             for column in 0..own.heading().columns.len() {
                 let bits = |numbers: &[f64]| numbers.iter().map(|x| x.to_bits()).collect::<Vec<_>>();
@@ -62,16 +69,21 @@ fn main() {
                             black_box(&own);
                         }
                     }),
+                    Candidate::new("macro, many", MANY, || {
+                        $linkage.$sweep_into(black_box(&many), &mut long);
+                        black_box(&long);
+                    }),
                 ],
                 time,
             );
-            let [macros, engine] = [&times[0], &times[1]];
+            let [macros, engine, many] = [&times[0], &times[1], &times[2]];
             println!(
-                "{}  macro {:.2} ns  engine {:.2} ns  ratio {:.2}  (goal {GOAL})",
+                "{}  macro {:.2} ns  engine {:.2} ns  ratio {:.2}  (goal {GOAL})  macro at {MANY:.0e} {:.2} ns",
                 $kernel,
                 macros.spread(),
                 engine.spread(),
-                engine.ratio(macros)
+                engine.ratio(macros),
+                many.spread()
             );
         })*};
     }

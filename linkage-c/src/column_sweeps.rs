@@ -6,6 +6,7 @@ use linkage_compiler::ir::CompiledMechanism;
 use linkage_export::{FunctionDeclaration, Refused};
 use linkage_symbolic::program::Source;
 
+use crate::column_rows::{HALVES, Rows};
 use crate::comment::comment;
 use crate::evaluator::values;
 use crate::real::Real;
@@ -14,9 +15,6 @@ use crate::states::is_closed;
 use crate::surface::surface;
 use crate::writer::{Writer, source_expression};
 use crate::{Sources, sources};
-
-/// Positions of a block.
-const BLOCK: usize = 512;
 
 /// A mechanism as C, with sweeps into columns.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -107,14 +105,17 @@ fn positions(writer: &mut Writer<'_>, function: &FunctionDeclaration, name: &str
     let declarations = &writer.surface.declarations;
     // Names of the user are in the statements.
     let private = &declarations.private;
-    let body = arguments(writer, function) + &statements + &stored(private, &results);
+    let bodies = HALVES.map(|half| {
+        arguments(writer, function, half) + &statements + &stored(private, half, &results)
+    });
     Rows {
         name,
         shared: format!("const {} *m", declarations.name),
         passed: "m".to_owned(),
         arrays: function.arguments.len(),
         columns: results.len(),
-        body,
+        bodies,
+        is_closed: is_closed(function),
     }
     .text(writer)
 }
@@ -128,43 +129,49 @@ fn mechanisms(writer: &mut Writer<'_>, function: &FunctionDeclaration, name: &st
     let (preparing, slots) = unit.preparing(program);
     let first = function.arguments.len();
     let inputs = unit.inputs.len() + 1;
-    let source = |source| match source {
-        Source::Input(index) => {
-            let argument = function.argument(index);
-            argument.expect("a program uses only its inputs").to_owned()
+    let turns = |entry: usize| format!("{private}turns[{entry}]");
+    let mut columns = 0;
+    let bodies = HALVES.map(|half| {
+        let source = |source| match source {
+            Source::Input(index) => {
+                let argument = function.argument(index);
+                argument.expect("a program uses only its inputs").to_owned()
+            }
+            Source::Parameter(index) => format!("{private}{half}x{}[{private}k]", first + index),
+            Source::Prepared(slot) => format!("{private}p{slot}"),
+            Source::Centre(angle) => turns(angle * inputs),
+            Source::Winding(angle, input) => turns(angle * inputs + 1 + input),
+            other => source_expression(surface, other),
+        };
+        let prepared = writer.printer.program(&preparing, &source);
+        let printed = writer.printer.program(program, &source);
+        columns = printed.results.len();
+        let mut body = arguments(writer, function, half);
+        for slot in &slots {
+            let _ = writeln!(body, "    {number} {private}p{slot};");
         }
-        Source::Parameter(index) => format!("{private}x{}[{private}k]", first + index),
-        Source::Prepared(slot) => format!("{private}p{slot}"),
-        Source::Centre(angle) => format!("{private}turns[{}]", angle * inputs),
-        Source::Winding(angle, input) => format!("{private}turns[{}]", angle * inputs + 1 + input),
-        other => source_expression(surface, other),
-    };
-    let prepared = writer.printer.program(&preparing, &source);
-    let printed = writer.printer.program(program, &source);
-    let mut body = arguments(writer, function);
-    for slot in &slots {
-        let _ = writeln!(body, "    {number} {private}p{slot};");
-    }
-    // Both programs have the same names of values.
-    let _ = writeln!(body, "    {{\n{}", prepared.statements.trim_end());
-    for (slot, value) in slots.iter().zip(&prepared.results) {
-        let _ = writeln!(body, "    {private}p{slot} = {value};");
-    }
-    let _ = writeln!(body, "    }}\n{}", printed.statements.trim_end());
-    body += &stored(private, &printed.results);
+        // Both programs have the same names of values.
+        let _ = writeln!(body, "    {{\n{}", prepared.statements.trim_end());
+        for (slot, value) in slots.iter().zip(&prepared.results) {
+            let _ = writeln!(body, "    {private}p{slot} = {value};");
+        }
+        let _ = writeln!(body, "    }}\n{}", printed.statements.trim_end());
+        body + &stored(private, half, &printed.results)
+    });
     Rows {
         name,
         shared: format!("const {number} *{private}turns"),
         passed: format!("{private}turns"),
         arrays: first + declarations.scalars.len(),
-        columns: printed.results.len(),
-        body,
+        columns,
+        bodies,
+        is_closed: is_closed(function),
     }
     .text(writer)
 }
 
-/// Statements that read the arguments of a row.
-fn arguments(writer: &Writer<'_>, function: &FunctionDeclaration) -> String {
+/// Statements that read the arguments of a row in a half.
+fn arguments(writer: &Writer<'_>, function: &FunctionDeclaration, half: &str) -> String {
     let (private, number) = (
         &writer.surface.declarations.private,
         writer.surface.real.name(),
@@ -174,86 +181,17 @@ fn arguments(writer: &Writer<'_>, function: &FunctionDeclaration) -> String {
         let name = &argument.name;
         let _ = writeln!(
             text,
-            "    const {number} {name} = {private}x{k}[{private}k];"
+            "    const {number} {name} = {private}{half}x{k}[{private}k];"
         );
     }
     text
 }
 
-/// Statements that store the results of a row.
-fn stored(private: &str, results: &[String]) -> String {
+/// Statements that store the results of a row in a half.
+fn stored(private: &str, half: &str, results: &[String]) -> String {
     let mut text = String::new();
     for (k, result) in results.iter().enumerate() {
-        let _ = writeln!(text, "    {private}c{k}[{private}k] = {result};");
+        let _ = writeln!(text, "    {private}{half}c{k}[{private}k] = {result};");
     }
     text
-}
-
-/// A sweep: rows of a block by a function whose arrays do not overlap, so that compilers compute
-/// several rows at once. Arrays that stand still are filled for a block.
-struct Rows<'a> {
-    name: &'a str,
-    /// The parameter that all rows have in common, and its name.
-    shared: String,
-    passed: String,
-    /// The number of arrays that are read.
-    arrays: usize,
-    /// The number of arrays that are written.
-    columns: usize,
-    /// The statements of a row.
-    body: String,
-}
-
-impl Rows<'_> {
-    fn text(&self, writer: &Writer<'_>) -> String {
-        let Self {
-            name,
-            shared,
-            passed,
-            arrays,
-            columns,
-            body,
-        } = self;
-        let (private, number) = (
-            &writer.surface.declarations.private,
-            writer.surface.real.name(),
-        );
-        let body = body.replace('\n', "\n    ");
-        let list = |count: usize, item: &dyn Fn(usize) -> String| (0..count).map(item).collect();
-        let inputs: String = list(*arrays, &|k| {
-            format!(", const {number} *restrict {private}x{k}")
-        });
-        let outputs: String = list(*columns, &|k| format!(", {number} *restrict {private}c{k}"));
-        let rows = format!(
-            "
-static void {name}_rows({shared}, size_t {private}count{inputs}{outputs})
-{{
-    size_t {private}k;
-    for ({private}k = 0; {private}k < {private}count; {private}k++) {{
-    {}
-    }}
-}}
-",
-            body.trim_end()
-        );
-        let constants: String = list(*arrays, &|k| {
-            format!(
-                "    {number} s{k}[{BLOCK}];\n    if (!steps[{k}]) for (k = 0; k < {BLOCK}; k++) s{k}[k] = x[{k}][0];\n"
-            )
-        });
-        let inputs: String = list(*arrays, &|k| format!(", steps[{k}] ? x[{k}] + from : s{k}"));
-        let outputs: String = list(*columns, &|k| format!(", columns[{k}] + from"));
-        rows + &format!(
-            "
-void {name}({shared}, size_t count, const {number} *const *x, const size_t *steps, {number} *const *columns)
-{{
-    size_t from, k;
-{constants}    for (from = 0; from < count; from += {BLOCK}) {{
-        const size_t rows = count - from < {BLOCK} ? count - from : {BLOCK};
-        {name}_rows({passed}, rows{inputs}{outputs});
-    }}
-}}
-"
-        )
-    }
 }

@@ -28,11 +28,14 @@ if TYPE_CHECKING:
 FLAGS = ("-std=c99", "-O3", "-fPIC", "-fno-semantic-interposition", "-shared", "-ffp-contract=off", "-fno-math-errno",
          "-fno-trapping-math")  # fmt: skip
 
-#: Code for this processor alone. Not every compiler has the option.
-NATIVE = "-march=native"
+#: Code for this processor alone, in an order in which operations wait less. Not every compiler has
+#: the options.
+NATIVE = ("-march=native", "-fschedule-insns")
 
-#: Positions of a call to the code: a fraction of a millisecond.
-PART = 1 << 15
+#: Positions of a call to the code: a fraction of a millisecond at most, and less if several threads
+#: share a sweep.
+PART = 1 << 17
+SHARED_PART = 1 << 14
 
 _lock = Lock()
 _loaded: dict[Path, ctypes.CDLL] = {}
@@ -144,7 +147,7 @@ def _built(files: dict[str, str], main: str, compiler: str, folder: Path) -> Pat
         write_all(work, files)
         output = Path(work) / "code.so"
         failed = None
-        for flags in ((*common, NATIVE), common):
+        for flags in ((*common, *NATIVE), common):
             command = [compiler, *flags, "-o", str(output), main, "-lm"]
             failed = subprocess.run(command, cwd=work, capture_output=True, text=True, check=False)
             if failed.returncode == 0:
@@ -202,14 +205,15 @@ class CodeAssembly:
         steps = (ctypes.c_size_t * max(len(arguments), 1))(*(int(one.size > 1) for one in arguments))
         bases = [(one.ctypes.data, 8 * (one.size > 1)) for one in arguments]
         first, stride = out.ctypes.data, out.strides[0]
+        size = PART if threads == 1 else min(PART, max(SHARED_PART, count // (4 * threads)))
 
         def part(start: int) -> None:
-            rows = min(PART, count - start)
+            rows = min(size, count - start)
             given = pointers(*(base + step * start for base, step in bases))
             wanted = columns(*(first + stride * k + 8 * start for k in range(len(out))))
             function(shared, ctypes.c_size_t(rows), given, steps, wanted)
 
-        _in_parts(part, range(0, count, PART), threads)
+        _in_parts(part, range(0, count, size), threads)
 
 
 def _in_parts(part, starts: range, threads: int) -> None:
