@@ -24,7 +24,11 @@ fn a_drawn_joint_is_dragged() {
         return;
     };
     let text = shown.text();
+    let height = "document.getElementById('frame').clientHeight";
+    let room = shown.page.number(height);
     shown.page.click("#shape");
+    // The remark below takes no room from the drawing: joints stay under the pointer.
+    assert_eq!(shown.page.number(height), room);
     // Joints that can be dragged are marked.
     let width = format!(
         "parseFloat(getComputedStyle({FRAME}.querySelector('[data-point=\"k\"] .mark')).strokeWidth)"
@@ -43,7 +47,11 @@ fn a_drawn_joint_is_dragged() {
     // It is under the pointer, with the size that the picture had, and near to the place that is
     // written: the given length of another link moves the plate a little.
     let there = shown.point("k");
-    assert!((there.0 - from.0 - 30.0).abs() < 3.0 && (there.1 - from.1 + 20.0).abs() < 3.0);
+    let way = (there.0 - from.0, there.1 - from.1);
+    assert!(
+        (way.0 - 30.0).abs() < 3.0 && (way.1 + 20.0).abs() < 3.0,
+        "{way:?} from {from:?}"
+    );
     let shown_at =
         |axis: &str| format!("Number({FRAME}.querySelector('[data-point=\"k\"]').dataset.{axis})");
     let [x, y] = ["x", "y"].map(|axis| shown.page.number(&shown_at(axis)));
