@@ -30,7 +30,8 @@
     "true_velocity" "true_acceleration" "true_jerk"
     "d" "velocity" "acceleration" "jerk" "omega" "alpha" "screw_point" "screw_direction" "screw_pitch"
     "sensitivity" "margin" "picture" "reaction" "moment" "torque" "force" "power"
-    "kinetic_energy" "potential_energy" "shaking_force" "shaking_moment")
+    "kinetic_energy" "potential_energy" "shaking_force" "shaking_moment"
+    "inertia" "bias" "generalised_force" "driven_acceleration")
   "Words that can be called in expressions.")
 
 (defconst linkage-mode--number

@@ -143,7 +143,7 @@ impl<'a> Guess<'a> {
                     Some(QuantityWord::Motion(word)) => {
                         self.motion(word, &first, arguments, inputs)
                     }
-                    Some(QuantityWord::Mechanics(word)) => self.mechanics(word),
+                    Some(QuantityWord::Mechanics(word)) => self.mechanics(word, arguments, inputs),
                     None => Shape::Scalar,
                 }
             }
@@ -193,14 +193,22 @@ impl<'a> Guess<'a> {
         }
     }
 
-    fn mechanics(&self, word: MechanicsWord) -> Shape {
+    fn mechanics(&self, word: MechanicsWord, arguments: &[Expr], inputs: usize) -> Shape {
         match word {
             MechanicsWord::Reaction | MechanicsWord::ShakingForce => vector(self.components),
             MechanicsWord::Moment | MechanicsWord::ShakingMoment => match self.components {
                 3 => Shape::Vector(3),
                 _ => Shape::Scalar,
             },
-            MechanicsWord::Torque
+            MechanicsWord::Inertia if arguments.is_empty() && inputs > 1 => {
+                let row = Shape::Array(inputs, Box::new(Shape::Scalar));
+                Shape::Array(inputs, Box::new(row))
+            }
+            MechanicsWord::Inertia
+            | MechanicsWord::Bias
+            | MechanicsWord::GeneralisedForce
+            | MechanicsWord::DrivenAcceleration
+            | MechanicsWord::Torque
             | MechanicsWord::Force
             | MechanicsWord::Power
             | MechanicsWord::KineticEnergy

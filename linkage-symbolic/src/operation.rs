@@ -174,8 +174,8 @@ table! {
             call: RustCall::Operator('/'),
             ..row("/", |[a, b]| a / b)
         },
-        /// `a / b`, NaN where that is infinite: a quotient by the root of a discriminant. Only
-        /// programs have it.
+        /// `a / b`, NaN where that is infinite: a quotient by the root of a discriminant, or by a
+        /// number that vanishes where the quotient has no meaning.
         Quotient => OperationRow {
             latency: 19,
             time: 6,

@@ -42,6 +42,14 @@ interpreted! {
             a: d(torque(phi), a), m: d(reaction(b3), m2), s: sensitivity(shaking_force(), [m2, m3]), i: d(kinetic_energy(), i2),
             bent: d(torque(phi), phi, m3),
         }
+        pub fn dynamics(phi, omega, pull) -> RockingDynamics {
+            j: inertia(phi), h: bias(phi), q: generalised_force(phi), a: driven_acceleration(phi),
+        }
+        pub fn dynamics_slopes(phi, omega, pull) -> RockingDynamicsSlopes {
+            j: sensitivity(inertia(phi)), h: sensitivity(bias(phi)), q: sensitivity(generalised_force(phi)),
+            a: sensitivity(driven_acceleration(phi)), jv: velocity(inertia(phi)), hv: velocity(bias(phi)),
+            qv: velocity(generalised_force(phi)), av: velocity(driven_acceleration(phi)), ja: acceleration(inertia(phi)),
+        }
     }
 }
 
@@ -154,6 +162,41 @@ fn in_the_plane() {
         close(parts.i, expected[i2][5], of(i2));
         let torques = |steps: f64| [linkage.slopes(phi + 1e-3 * steps, omega, epsilon, pull).t[m3]];
         close(parts.bent, difference(torques, 1e-3)[0], of(m3));
+    }
+}
+
+#[test]
+fn of_the_equation_of_motion() {
+    let mechanism = Rocking::default();
+    let linkage = mechanism.assemble().expect("it assembles");
+    let values = mechanism.values();
+    for k in 0..12 {
+        let (phi, omega, pull) = (0.2 + 0.5 * f64::from(k), 40.0, 15.0);
+        let numbers = |m: &Rocking, phi: f64| {
+            let linkage = m.assemble().expect("it assembles");
+            let at = linkage.dynamics(phi, omega, pull);
+            [at.j, at.h, at.q, at.a]
+        };
+        let expected = by_parameters(&mechanism, |m| numbers(m, phi));
+        let sizes = numbers(&mechanism, phi).map(|x| 10.0 * x.abs());
+        let found = linkage.dynamics_slopes(phi, omega, pull);
+        for (parameter, expected) in expected.iter().enumerate() {
+            let of = [found.j, found.h, found.q, found.a].map(|slopes| slopes[parameter]);
+            for (index, found) in of.into_iter().enumerate() {
+                close(
+                    found,
+                    expected[index],
+                    rest(sizes[index], values[parameter]),
+                );
+            }
+        }
+        let by_phi = difference(|steps| numbers(&mechanism, phi + 1e-3 * steps), 1e-3);
+        let of = [found.jv, found.hv, found.qv, found.av];
+        for (index, found) in of.into_iter().enumerate() {
+            close(found, by_phi[index], rest(sizes[index], 1.0));
+        }
+        let slope = |steps: f64| [linkage.dynamics_slopes(phi + 1e-3 * steps, omega, pull).jv];
+        close(found.ja, difference(slope, 1e-3)[0], rest(sizes[0], 1.0));
     }
 }
 

@@ -3,6 +3,7 @@
 
 mod body;
 mod carriage;
+mod closed_forms;
 mod cylinder;
 mod cylinders;
 mod derivatives;

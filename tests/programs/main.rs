@@ -1,5 +1,6 @@
 //! Real mechanisms against known answers, a module for each.
 
+mod andrews;
 mod ankle;
 mod burmester;
 mod calibrate;

@@ -6,7 +6,7 @@
 //! The files form floors, and each uses those of lower floors only:
 //!
 //! 1. data: `value`, `names`, `rules`, `equations`, `systems`, `solutions`, `memo`, and linear
-//!    systems of expressions (`cofactors`, `pivots`, `bodies`);
+//!    systems of expressions (`cofactors`, `positive_definite`, `pivots`, `bodies`);
 //! 2. expressions of the language, which use [`Names`] alone: `scalar`, `body_vectors`, `frame`,
 //!    `calls`, `motion_law`, and `translate` above them;
 //! 3. numbers at the reference: `nominal`, `finite_numbers`, `constant_ratio`;
@@ -31,6 +31,7 @@ pub(crate) mod motion_law;
 pub(crate) mod names;
 pub(crate) mod nominal;
 pub(crate) mod pivots;
+pub(crate) mod positive_definite;
 pub(crate) mod rotating_frame;
 pub(crate) mod rules;
 pub(crate) mod scalar;

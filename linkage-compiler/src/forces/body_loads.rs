@@ -23,6 +23,13 @@ pub(super) struct PointForce<'m> {
 }
 
 impl<'m> Loads<'m> {
+    /// None on any of so many bodies.
+    pub(super) fn none(bodies: usize) -> Self {
+        Self {
+            bodies: vec![BodyLoads::default(); bodies],
+        }
+    }
+
     /// A force at a point, or a couple.
     pub(super) fn add(&mut self, body: Option<usize>, point: Option<Vn<'m>>, value: Vn<'m>) {
         let Some(body) = body else { return };

@@ -26,6 +26,10 @@ pub(crate) struct Forces<'m> {
 pub(super) struct Memo<'m> {
     pub(super) turns: AngularVelocities<'m>,
     pub(super) system: Option<Rc<System<'m>>>,
+    /// Entries of the mass matrix, by their inputs in order.
+    pub(super) inertias: Map<[usize; 2], Ex<'m>>,
+    /// The accelerations of all inputs without drives, for each set of speeds.
+    pub(super) driven: Map<Speeds, Rc<Vec<Ex<'m>>>>,
     /// The forces for each set of speeds and accelerations that functions list.
     pub(super) cases: Cases<'m>,
 }

@@ -7,7 +7,7 @@ use linkage_symbolic::{Ex, Graph, Vector, Vn};
 use crate::algebra::{Algebra, Translate};
 use crate::forces::geometry::{BodyTurn, Geometry};
 use crate::forces::multibody::Multibody;
-use crate::forces::speeds::{AngularVelocities, Speeds};
+use crate::forces::speeds::{AngularVelocities, By, Speeds};
 use crate::forces::{geometry, masses, motion};
 use crate::model::{Expr, Inertia};
 
@@ -31,11 +31,17 @@ pub(super) fn inertia_couple<'m>(
         return None;
     }
     let turned = turned(algebra, bodies, turns, speeds, body);
-    let couple = inertia_times(algebra, &bodies.geometry, body, &turned, turned.gain);
+    let couple = inertia_times(algebra, &bodies.geometry, body, turned.axes, turned.gain);
     if bodies.geometry.is_plane() {
         return Some(couple);
     }
-    let momentum = inertia_times(algebra, &bodies.geometry, body, &turned, turned.velocity);
+    let momentum = inertia_times(
+        algebra,
+        &bodies.geometry,
+        body,
+        turned.axes,
+        turned.velocity,
+    );
     let couple = couple + turned.velocity.moment_of(momentum);
     Some(match &turned.axes {
         Some(axes) => out_of_axes(algebra.graph, axes, couple),
@@ -55,8 +61,52 @@ pub(super) fn twice_turning_energy<'m>(
         return algebra.zero();
     }
     let turned = turned(algebra, bodies, turns, speeds, body);
-    let momentum = inertia_times(algebra, &bodies.geometry, body, &turned, turned.velocity);
+    let momentum = inertia_times(
+        algebra,
+        &bodies.geometry,
+        body,
+        turned.axes,
+        turned.velocity,
+    );
     turned.velocity.dot(momentum)
+}
+
+/// `w_a . I w_b` of a body beyond its masses as points, for its angular velocities at unit speeds of
+/// two inputs.
+pub(super) fn turning_inertia<'m>(
+    algebra: &mut Algebra<'m>,
+    bodies: &Multibody<'m>,
+    turns: &mut AngularVelocities<'m>,
+    body: usize,
+    inputs: [By; 2],
+) -> Ex<'m> {
+    if algebra.mechanism.bodies[body].inertias.is_empty() {
+        return algebra.zero();
+    }
+    let axes = axes(&bodies.geometry, body);
+    let [first, second] = inputs.map(|by| match axes {
+        Some(axes) => components_of_turn(axes, |y| motion::moved(algebra, y, by)),
+        None => motion::turn(algebra, bodies, turns, Some(body), by),
+    });
+    first.dot(inertia_times(algebra, &bodies.geometry, body, axes, second))
+}
+
+/// The axes of a body with a frame.
+fn axes<'m>(geometry: &Geometry<'m>, body: usize) -> Option<[Vn<'m>; 3]> {
+    match geometry.turning[body] {
+        BodyTurn::Frame(axes) => Some(axes),
+        BodyTurn::Along | BodyTurn::Angle(_) | BodyTurn::About(..) | BodyTurn::Rod(_) => None,
+    }
+}
+
+/// Components of an angular velocity in a body's axes, from the rates of the axes: `w_x = y' . z`
+/// and so on.
+fn components_of_turn<'m>(axes: [Vn<'m>; 3], mut rate: impl FnMut(Vn<'m>) -> Vn<'m>) -> Vn<'m> {
+    let components = [0, 1, 2].map(|k| {
+        let [y, z] = [k + 1, k + 2].map(|k| axes[k % 3]);
+        rate(y).dot(z)
+    });
+    Vector(components).into()
 }
 
 /// The rotation of a body at the speeds that are listed.
@@ -78,20 +128,17 @@ fn turned<'m>(
     }
 }
 
-/// Components `w_x = y' . z` and so on, and their gain: `y" . z - w_y w_z` and so on.
+/// Components of the angular velocity, and their gain: `y" . z - w_y w_z` and so on.
 fn turned_in_axes<'m>(algebra: &mut Algebra<'m>, speeds: &Speeds, axes: [Vn<'m>; 3]) -> Turned<'m> {
-    let velocity = [0, 1, 2].map(|k| {
-        let [y, z] = [k + 1, k + 2].map(|k| axes[k % 3]);
-        motion::point_velocity(algebra, speeds, y).dot(z)
-    });
+    let velocity = components_of_turn(axes, |y| motion::point_velocity(algebra, speeds, y));
     let gain = [0, 1, 2].map(|k| {
         let [y, z] = [k + 1, k + 2].map(|k| axes[k % 3]);
-        let [w_y, w_z] = [k + 1, k + 2].map(|k| velocity[k % 3]);
+        let [w_y, w_z] = [k + 1, k + 2].map(|k| velocity.at(k % 3));
         motion::point_acceleration(algebra, speeds, y).dot(z) - w_y * w_z
     });
     Turned {
         axes: Some(axes),
-        velocity: Vector(velocity).into(),
+        velocity,
         gain: Vector(gain).into(),
     }
 }
@@ -129,7 +176,7 @@ fn inertia_times<'m>(
     algebra: &mut Algebra<'m>,
     geometry: &Geometry<'m>,
     body: usize,
-    turned: &Turned<'m>,
+    axes: Option<[Vn<'m>; 3]>,
     turn: Vn<'m>,
 ) -> Vn<'m> {
     let mechanism = algebra.mechanism;
@@ -145,10 +192,10 @@ fn inertia_times<'m>(
             // The number says nothing of the masses' products of inertia.
             (Inertia::Scalar(_), Some(axis)) => {
                 let turn = turn.along(axis);
-                points_about(algebra, geometry, body, about, turned, turn).along(axis)
+                points_about(algebra, geometry, body, about, axes, turn).along(axis)
             }
             (Inertia::Scalar(_), None) | (Inertia::Tensor(_), _) => {
-                points_about(algebra, geometry, body, about, turned, turn)
+                points_about(algebra, geometry, body, about, axes, turn)
             }
         };
         sum = sum - points;
@@ -163,14 +210,14 @@ fn points_about<'m>(
     geometry: &Geometry<'m>,
     body: usize,
     about: &Expr,
-    turned: &Turned<'m>,
+    axes: Option<[Vn<'m>; 3]>,
     turn: Vn<'m>,
 ) -> Vn<'m> {
     let about = geometry::vector_of(algebra, about);
     let mut sum = geometry.zero_turn(algebra.graph);
     for (mass, point) in masses::masses(algebra, body) {
         let arm = point - about;
-        let arm = match turned.axes {
+        let arm = match axes {
             Some(axes) => Vector(axes.map(|axis| axis.dot(arm))).into(),
             None => arm,
         };

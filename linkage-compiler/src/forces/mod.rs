@@ -21,7 +21,10 @@
 //! | `names` | joints, bodies and elements as messages name them |
 //! | `motion` | velocities and accelerations of points and bodies |
 //! | `masses`, `inertia` | masses, and moments of inertia when a body turns |
-//! | `loads` | inertia, weight, loads, springs, dampers on each body |
+//! | `springs` | springs and dampers on each body |
+//! | `loads` | inertia, weight, loads and springs on each body |
+//! | `virtual_work` | work of loads per motion of an input |
+//! | `dynamics` | mass matrix, bias, generalised forces, accelerations without drives |
 //! | `freedom` | motions of the tree's joints that nothing drives |
 //! | `cut_joints` | sides of cut joints |
 //! | `links` | links that leave one number of a reaction open |
@@ -43,6 +46,7 @@ mod check;
 mod context;
 mod cut_joints;
 mod drives;
+mod dynamics;
 mod ends;
 mod equations;
 mod equilibrium;
@@ -65,9 +69,11 @@ pub(crate) mod quantities;
 mod rank;
 mod shared_angles;
 mod speeds;
+mod springs;
 mod steady;
 mod system;
 mod tree;
+mod virtual_work;
 mod wrench;
 
 pub(crate) use check::check;

@@ -9,7 +9,10 @@ use crate::forces::multibody::Multibody;
 use crate::forces::speeds::{AngularVelocities, By, Speeds};
 use crate::forces::system::{System, Unknown};
 use crate::forces::wrench::Wrench;
-use crate::forces::{assemble, equilibrium, freedom, geometry, inertia, loads, masses, motion};
+use crate::forces::{
+    assemble, dynamics, equilibrium, freedom, geometry, inertia, loads, masses, motion, springs,
+    virtual_work,
+};
 use crate::model::{Between, Element, ElementKind, MechanicalQuantity as Quantity, Rotation};
 
 /// The value of a quantity in a function.
@@ -44,6 +47,22 @@ pub(crate) fn quantity<'m>(
                 speeds,
                 about,
             ))
+        }
+        Quantity::Inertia(inputs) => dynamics::inertia(algebra, bodies, memo, *inputs).into(),
+        Quantity::MassMatrix(inputs) => {
+            let mut row = |&a: &usize| {
+                let entries = inputs.iter();
+                let entries = entries.map(|&b| dynamics::inertia(algebra, bodies, memo, [a, b]));
+                Value::Array(entries.map(Value::from).collect())
+            };
+            Value::Array(inputs.iter().map(&mut row).collect())
+        }
+        Quantity::Bias(input) => dynamics::bias(algebra, bodies, memo, speeds, *input).into(),
+        Quantity::GeneralisedForce(input) => {
+            dynamics::generalised_force(algebra, bodies, memo, speeds, *input).into()
+        }
+        Quantity::DrivenAcceleration(input) => {
+            dynamics::driven_acceleration(algebra, bodies, memo, speeds, *input).into()
         }
     }
 }
@@ -95,7 +114,8 @@ fn drive<'m>(
     if question.with_reactions {
         drive_of_joints(algebra, bodies, memo, &question.speeds, input)
     } else {
-        drive_of_loads(algebra, bodies, memo, &question.speeds, input)
+        let loads = loads::loads(algebra, bodies, memo, &question.speeds);
+        -virtual_work::work(algebra, bodies, &mut memo.turns, &loads, input)
     }
 }
 
@@ -126,46 +146,6 @@ fn drive_of_joints<'m>(
         }
     }
     sum
-}
-
-/// The work of the loads per motion of the input, with the opposite sign:
-/// `-(sum F . p' + sum M . w)`.
-fn drive_of_loads<'m>(
-    algebra: &mut Algebra<'m>,
-    bodies: &Multibody<'m>,
-    memo: &mut Memo<'m>,
-    speeds: &Speeds,
-    input: usize,
-) -> Ex<'m> {
-    let input = By::Input(input);
-    let loads = loads::loads(algebra, bodies, memo, speeds);
-    let mut work = algebra.zero();
-    for (body, body_loads) in loads.bodies.iter().enumerate() {
-        for load in &body_loads.forces {
-            let moved = match load.mass {
-                Some(_) => motion::moved(algebra, load.point, input),
-                None => motion::velocity_of(
-                    algebra,
-                    bodies,
-                    &mut memo.turns,
-                    Some(body),
-                    load.point,
-                    input,
-                ),
-            };
-            work += load.force.dot(moved);
-        }
-        for couple in &body_loads.couples {
-            work += couple.dot(motion::turn(
-                algebra,
-                bodies,
-                &mut memo.turns,
-                Some(body),
-                input,
-            ));
-        }
-    }
-    -work
 }
 
 /// `sum Q w`
@@ -228,7 +208,7 @@ fn spring_energy<'m>(
     spring: &Element,
 ) -> Ex<'m> {
     let length = match &spring.between {
-        Between::Joint(joint) => loads::joint_coordinate(algebra, bodies, *joint),
+        Between::Joint(joint) => springs::joint_coordinate(algebra, bodies, *joint),
         Between::Points([from, to]) => {
             let [start, end] = [&from.1, &to.1].map(|at| geometry::vector_of(algebra, at));
             (end - start).length()

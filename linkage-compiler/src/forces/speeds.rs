@@ -26,6 +26,14 @@ pub(super) enum By {
 pub(super) type AngularVelocities<'m> = Map<(usize, By), Vn<'m>>;
 
 impl Speeds {
+    /// The same speeds without accelerations.
+    pub(super) fn steady(&self) -> Self {
+        Self {
+            speeds: self.speeds.clone(),
+            accelerations: vec![None; self.accelerations.len()],
+        }
+    }
+
     /// Those among the arguments that a function lists.
     pub(super) fn listed(mechanism: &Mechanism, listed: &[usize]) -> Self {
         let drives = mechanism.inputs.len();

@@ -2,8 +2,8 @@
 
 use crate::ir::{Column, Meaning, Picture};
 use crate::model::{
-    COMPONENTS, Derived, EvaluatorDef, Expr, ExprKind, FRAME_PARTS, LengthUnit, Mechanism,
-    PLANE_PARTS, Quantity, Shape, Type, VECTORS_OF_PLANE, Variable,
+    COMPONENTS, Derived, EvaluatorDef, Expr, ExprKind, FRAME_PARTS, LengthUnit, MechanicalQuantity,
+    Mechanism, PLANE_PARTS, Quantity, Shape, Type, VECTORS_OF_PLANE, Variable,
 };
 
 /// The numbers of a function's results, in order.
@@ -173,6 +173,11 @@ impl Namer<'_> {
             Some(Derived::By(inner, _)) => self.labels(inner),
             None => match &expr.kind {
                 ExprKind::Index(array, _) => self.labels(array).into_iter().skip(1).collect(),
+                ExprKind::Mechanics(MechanicalQuantity::MassMatrix(inputs)) => {
+                    let names = inputs.iter().map(|&input| self.mechanism.input_name(input));
+                    let names: Vec<String> = names.map(str::to_owned).collect();
+                    vec![names.clone(), names]
+                }
                 // Nothing else is an entry of an array.
                 _ => Vec::new(),
             },

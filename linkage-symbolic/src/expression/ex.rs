@@ -118,6 +118,11 @@ impl<'g> Ex<'g> {
         self.binary(Binary::Hypot, other)
     }
 
+    /// The quotient, NaN where it is infinite.
+    pub fn quotient(self, divisor: Self) -> Self {
+        self.binary(Binary::Quotient, divisor)
+    }
+
     /// The argument of `x + i y`, this being `y`.
     pub fn atan2(self, x: Self) -> Self {
         self.binary(Binary::Atan2, x)

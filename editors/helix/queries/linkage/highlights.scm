@@ -35,7 +35,8 @@
   (#any-of? @function.builtin
     "d" "velocity" "acceleration" "jerk" "omega" "alpha" "screw_point" "screw_direction" "screw_pitch"
     "sensitivity" "margin" "picture" "reaction" "moment" "torque" "force" "power"
-    "kinetic_energy" "potential_energy" "shaking_force" "shaking_moment"))
+    "kinetic_energy" "potential_energy" "shaking_force" "shaking_moment"
+    "inertia" "bias" "generalised_force" "driven_acceleration"))
 
 ; Laws of motion, ends of splines and marks of knots.
 ((call

@@ -62,6 +62,7 @@ impl<'a> Show<'a> {
 
     fn quantity(&self, f: &mut Formatter, quantity: &MechanicalQuantity) -> fmt::Result {
         let mechanism = self.mechanism;
+        let input = |input: usize| mechanism.inputs[input].name.as_str();
         match quantity {
             MechanicalQuantity::Reaction(joint) => {
                 write!(f, "reaction({})", joint_name(mechanism, *joint))
@@ -69,8 +70,8 @@ impl<'a> Show<'a> {
             MechanicalQuantity::Moment(joint) => {
                 write!(f, "moment({})", joint_name(mechanism, *joint))
             }
-            MechanicalQuantity::Drive(input) => {
-                write!(f, "drive({})", mechanism.inputs[*input].name)
+            MechanicalQuantity::Drive(of) => {
+                write!(f, "drive({})", input(*of))
             }
             MechanicalQuantity::Power => f.write_str("power()"),
             MechanicalQuantity::KineticEnergy => f.write_str("kinetic_energy()"),
@@ -80,6 +81,20 @@ impl<'a> Show<'a> {
                 f.write_str("shaking_moment")?;
                 let point = point.iter().map(|point| self.inner(point));
                 separated(f, "(", point, ")")
+            }
+            MechanicalQuantity::Inertia([a, b]) => {
+                write!(f, "inertia({}, {})", input(*a), input(*b))
+            }
+            MechanicalQuantity::MassMatrix(inputs) => {
+                let inputs = inputs.iter().map(|of| input(*of));
+                separated(f, "mass_matrix(", inputs, ")")
+            }
+            MechanicalQuantity::Bias(of) => write!(f, "bias({})", input(*of)),
+            MechanicalQuantity::GeneralisedForce(of) => {
+                write!(f, "generalised_force({})", input(*of))
+            }
+            MechanicalQuantity::DrivenAcceleration(of) => {
+                write!(f, "driven_acceleration({})", input(*of))
             }
         }
     }

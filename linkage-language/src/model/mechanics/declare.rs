@@ -26,6 +26,7 @@ pub(in crate::model) fn declare_members(
     for (index, item) in bodies.iter().enumerate() {
         declare_member(members, sink, &item.name, Member::Body(index));
         declare_joint(members, sink, &item.joint);
+        members.has_masses |= !item.masses.is_empty() || !item.inertias.is_empty();
     }
     members.bodies = bodies.len();
     let mut numbers_of_parts: Vec<MemberNumbers> = Vec::new();
@@ -43,12 +44,12 @@ pub(in crate::model) fn declare_members(
     for item in others {
         match item {
             Mechanical::Joint(item) => declare_joint(members, sink, &item.joint),
-            // They have no names.
-            Mechanical::Gravity(_)
-            | Mechanical::Force(_)
+            // The others have no names.
+            Mechanical::Gravity(_) => {}
+            Mechanical::Force(_)
             | Mechanical::Torque(_)
             | Mechanical::Spring(_)
-            | Mechanical::Damper(_) => {}
+            | Mechanical::Damper(_) => members.has_loads = true,
         }
     }
     for (part, numbers) in numbers_of_parts.iter_mut().enumerate() {
@@ -83,7 +84,11 @@ pub(in crate::model) fn declare_bodies_of_part(
     let Some(body) = body else {
         return 0;
     };
-    let bodies = body.mechanism().bodies.iter().enumerate();
+    let mechanism = body.mechanism();
+    let mut masses = mechanism.bodies.iter();
+    members.has_masses |= masses.any(|body| !body.masses.is_empty() || !body.inertias.is_empty());
+    members.has_loads |= !mechanism.loads.is_empty() || !mechanism.elements.is_empty();
+    let bodies = mechanism.bodies.iter().enumerate();
     let bodies = bodies.map(|(index, body)| {
         let member = Member::Body(first + index);
         (format!("{name}.{}", body.name), (member, *span))

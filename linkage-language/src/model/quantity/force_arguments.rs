@@ -33,16 +33,27 @@ pub(in crate::model) fn expect_name<'e>(
     arguments: &'e [syntax::Expr],
     span: SourceSpan,
 ) -> Option<&'e Ident> {
-    let name = word.word();
     let [argument] = arguments else {
-        refuse_wrong_count(sink, name, &[what], arguments.len(), span);
+        refuse_wrong_count(sink, word.word(), &[what], arguments.len(), span);
         return None;
     };
+    argument_name(sink, word, what, argument)
+}
+
+/// An argument of a call, a name.
+fn argument_name<'e>(
+    sink: &mut Sink,
+    word: MechanicsWord,
+    what: &str,
+    argument: &'e syntax::Expr,
+) -> Option<&'e Ident> {
     match &argument.kind {
         syntax::ExprKind::Name(ident) => Some(ident),
         syntax::ExprKind::Error => None,
         _ => {
-            let fact = format!("`{name}` takes the name of a {what}, found an expression");
+            let name = word.word();
+            let article = if what == "input" { "an" } else { "a" };
+            let fact = format!("`{name}` takes the name of {article} {what}, found an expression");
             let help = format!("write `{name}({what})`");
             sink.error_with_help(argument.span, fact, help);
             None
@@ -87,6 +98,85 @@ pub(in crate::model) fn expect_joint_with_moment(
     (!free).then_some(joint)
 }
 
+/// An input that a quantity takes.
+pub(in crate::model) struct TakenInput<'e> {
+    pub(in crate::model) index: usize,
+    pub(in crate::model) dimension: Dimension,
+    pub(in crate::model) ident: &'e Ident,
+}
+
+impl TakenInput<'_> {
+    /// Returns true for an angle, which is driven by a torque; a length is driven by a force.
+    pub(in crate::model) fn turns(&self) -> bool {
+        self.dimension.is_number_or_angle()
+    }
+
+    /// Returns the type of its drive.
+    pub(in crate::model) fn drive_type(&self) -> Type {
+        Type::Scalar(if self.turns() {
+            Dimension::MOMENT
+        } else {
+            Dimension::FORCE
+        })
+    }
+}
+
+/// The one argument of a call, an input.
+pub(in crate::model) fn expect_input<'e>(
+    names: &Names,
+    sink: &mut Sink,
+    word: MechanicsWord,
+    arguments: &'e [syntax::Expr],
+    span: SourceSpan,
+) -> Option<TakenInput<'e>> {
+    let ident = expect_name(sink, word, "input", arguments, span)?;
+    find_input(names, sink, word, ident)
+}
+
+/// An argument of a call of several, an input.
+pub(in crate::model) fn find_input_argument<'e>(
+    names: &Names,
+    sink: &mut Sink,
+    word: MechanicsWord,
+    argument: &'e syntax::Expr,
+) -> Option<TakenInput<'e>> {
+    let ident = argument_name(sink, word, "input", argument)?;
+    find_input(names, sink, word, ident)
+}
+
+fn find_input<'e>(
+    names: &Names,
+    sink: &mut Sink,
+    word: MechanicsWord,
+    ident: &'e Ident,
+) -> Option<TakenInput<'e>> {
+    let name = word.word();
+    let text = ident.to_string();
+    let symbol = names.find(&text);
+    if symbol.is_some_and(|symbol| symbol.ty.is_error()) {
+        return None;
+    }
+    if let Some(symbol) = symbol
+        && let Name::Input(index) = symbol.name
+        && let Some(dimension) = symbol.ty.dimension()
+    {
+        return Some(TakenInput {
+            index,
+            dimension,
+            ident,
+        });
+    }
+    let inputs = names.names_of(|name| matches!(name, Name::Input(_)));
+    let fact = format!("`{name}` takes an input, `{text}` is none");
+    let help = if inputs.is_empty() {
+        "declare an `input`".to_owned()
+    } else {
+        format!("inputs are {}", list(&inputs))
+    };
+    sink.error_with_help(ident.into(), fact, help);
+    None
+}
+
 /// `torque(input)` of an angle, `force(input)` of a length.
 pub(in crate::model) fn expect_driven_input(
     names: &Names,
@@ -95,38 +185,18 @@ pub(in crate::model) fn expect_driven_input(
     arguments: &[syntax::Expr],
     span: SourceSpan,
 ) -> Option<(MechanicalQuantity, Type)> {
-    let name = word.word();
-    let ident = expect_name(sink, word, "input", arguments, span)?;
-    let text = ident.to_string();
-    let input = names.find(&text).and_then(|symbol| match symbol.name {
-        Name::Input(input) => Some((input, symbol.ty.dimension()?)),
-        _ => None,
-    });
-    let Some((input, dimension)) = input else {
-        if names.find(&text).is_some_and(|symbol| symbol.ty.is_error()) {
-            return None;
-        }
-        let inputs = names.names_of(|name| matches!(name, Name::Input(_)));
-        let fact = format!("`{name}` takes an input, `{text}` is none");
-        let help = if inputs.is_empty() {
-            "declare an `input`".to_owned()
-        } else {
-            format!("inputs are {}", list(&inputs))
-        };
-        sink.error_with_help(ident.into(), fact, help);
-        return None;
-    };
-    let (right, ty) = if dimension.is_number_or_angle() {
-        (MechanicsWord::Torque, Dimension::MOMENT)
+    let input = expect_input(names, sink, word, arguments, span)?;
+    let right = if input.turns() {
+        MechanicsWord::Torque
     } else {
-        (MechanicsWord::Force, Dimension::FORCE)
+        MechanicsWord::Force
     };
     if right != word {
-        let right = right.word();
+        let (right, text, dimension) = (right.word(), input.ident, input.dimension);
         let fact = format!("the input `{text}` is {dimension}, it is driven by a {right}");
         let help = format!("write `{right}({text})`");
         sink.error_with_help(span, fact, help);
         return None;
     }
-    Some((MechanicalQuantity::Drive(input), Type::Scalar(ty)))
+    Some((MechanicalQuantity::Drive(input.index), input.drive_type()))
 }

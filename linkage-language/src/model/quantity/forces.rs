@@ -1,5 +1,6 @@
 //! Quantities about forces: reactions, drives, energies, shaking forces.
 
+use super::dynamics::{check_members, expect_input_of, resolve_inertia};
 use super::force_arguments::{
     expect_driven_input, expect_joint, expect_joint_with_moment, expect_no_argument,
 };
@@ -38,6 +39,9 @@ pub(in crate::model) fn resolve_mechanics_quantity(
         sink.error_with_help(span, fact, help);
         return error_expr(sink, span);
     }
+    if !check_members(&operands.scope.members, sink, word, span) {
+        return error_expr(sink, span);
+    }
     let Some(components) = sink.components else {
         return error_expr(sink, span);
     };
@@ -47,6 +51,9 @@ pub(in crate::model) fn resolve_mechanics_quantity(
         _ => vector(Dimension::MOMENT),
     };
     let scalar = |quantity, dimension| (quantity, Type::Scalar(dimension));
+    let of_input = |sink: &mut Sink, quantity| {
+        expect_input_of(&operands.scope.names, sink, word, quantity, arguments, span)
+    };
     let asked = match word {
         MechanicsWord::Reaction => expect_joint(
             &operands.scope.parts,
@@ -83,6 +90,10 @@ pub(in crate::model) fn resolve_mechanics_quantity(
             .map(|()| scalar(MechanicalQuantity::PotentialEnergy, Dimension::MOMENT)),
         MechanicsWord::ShakingForce => expect_no_argument(sink, word, arguments, span)
             .map(|()| (MechanicalQuantity::ShakingForce, vector(Dimension::FORCE))),
+        MechanicsWord::Inertia => resolve_inertia(&operands, sink, arguments, span),
+        MechanicsWord::Bias => of_input(sink, MechanicalQuantity::Bias),
+        MechanicsWord::GeneralisedForce => of_input(sink, MechanicalQuantity::GeneralisedForce),
+        MechanicsWord::DrivenAcceleration => of_input(sink, MechanicalQuantity::DrivenAcceleration),
     };
     let moving = check_moving(
         &operands.scope.names,
@@ -148,7 +159,11 @@ fn check_moving(
         | MechanicsWord::Moment
         | MechanicsWord::Torque
         | MechanicsWord::Force
-        | MechanicsWord::PotentialEnergy => return true,
+        | MechanicsWord::PotentialEnergy
+        | MechanicsWord::Inertia
+        | MechanicsWord::Bias
+        | MechanicsWord::GeneralisedForce
+        | MechanicsWord::DrivenAcceleration => return true,
     };
     // A mistake in the list of inputs has been reported.
     let Some(listed) = listed else {

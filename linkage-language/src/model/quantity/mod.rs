@@ -1,6 +1,7 @@
 //! Quantities of functions: derivatives, screws, pictures, reactions.
 
 pub(super) mod derivative;
+pub(super) mod dynamics;
 pub(super) mod force_arguments;
 pub(super) mod forces;
 pub(super) mod input_derivative;

@@ -45,6 +45,10 @@ impl LinkNames {
 pub(in crate::model) struct MemberNames {
     pub(in crate::model) by_name: BTreeMap<String, (Member, SourceSpan)>,
     pub(in crate::model) bodies: usize,
+    /// True if a body has a mass or a moment of inertia.
+    pub(in crate::model) has_masses: bool,
+    /// True if a force, a torque, a spring or a damper is declared.
+    pub(in crate::model) has_loads: bool,
     pub(in crate::model) links: LinkNames,
     /// Kinds of all joints: those that bodies are attached by in the order of the bodies, then
     /// those that close loops.

@@ -1,5 +1,6 @@
 //! Messages about mistakes in bodies, joints and loads.
 
+mod dynamics;
 mod loads;
 mod quantities;
 

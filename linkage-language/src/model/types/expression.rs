@@ -127,6 +127,16 @@ pub enum MechanicalQuantity {
     /// `shaking_moment()`, `shaking_moment(point)`: their moment about a fixed point, by default
     /// the origin.
     ShakingMoment(Option<Box<Expr>>),
+    /// `inertia(input)`, `inertia(input, input)`: an entry of the mass matrix.
+    Inertia([usize; 2]),
+    /// `inertia()` of these inputs, several: the rows of the mass matrix.
+    MassMatrix(Vec<usize>),
+    /// `bias(input)`: the drive for velocities and weights.
+    Bias(usize),
+    /// `generalised_force(input)`: the work of the loads per motion of the input.
+    GeneralisedForce(usize),
+    /// `driven_acceleration(input)`: without any drive.
+    DrivenAcceleration(usize),
 }
 
 impl Expr {

@@ -144,6 +144,14 @@ vocabulary! {
         ShakingForce = "shaking_force",
         /// The moment of the inertia forces about a fixed point, by default the origin.
         ShakingMoment = "shaking_moment",
+        /// The reduced inertia of an input; of two inputs an entry of the mass matrix; of none the whole.
+        Inertia = "inertia",
+        /// The drive of an input for velocities and weights, at zero acceleration and without loads.
+        Bias = "bias",
+        /// The work of forces, torques, springs and dampers per motion of an input.
+        GeneralisedForce = "generalised_force",
+        /// The acceleration of an input if no drive acts, only the declared loads.
+        DrivenAcceleration = "driven_acceleration",
     }
 }
 

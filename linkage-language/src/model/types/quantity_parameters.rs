@@ -17,7 +17,12 @@ impl MechanicsWord {
     fn parameters(self) -> &'static [&'static str] {
         match self {
             MechanicsWord::Reaction | MechanicsWord::Moment => &["joint"],
-            MechanicsWord::Torque | MechanicsWord::Force => &["input"],
+            MechanicsWord::Torque
+            | MechanicsWord::Force
+            | MechanicsWord::Bias
+            | MechanicsWord::GeneralisedForce
+            | MechanicsWord::DrivenAcceleration => &["input"],
+            MechanicsWord::Inertia => &["input?", "input?"],
             MechanicsWord::ShakingMoment => &["point?"],
             MechanicsWord::Power
             | MechanicsWord::KineticEnergy

@@ -117,7 +117,12 @@ impl MechanicalQuantity {
             | MechanicalQuantity::Power
             | MechanicalQuantity::KineticEnergy
             | MechanicalQuantity::PotentialEnergy
-            | MechanicalQuantity::ShakingForce => Vec::new(),
+            | MechanicalQuantity::ShakingForce
+            | MechanicalQuantity::Inertia(_)
+            | MechanicalQuantity::MassMatrix(_)
+            | MechanicalQuantity::Bias(_)
+            | MechanicalQuantity::GeneralisedForce(_)
+            | MechanicalQuantity::DrivenAcceleration(_) => Vec::new(),
         }
     }
 }

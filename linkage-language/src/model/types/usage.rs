@@ -178,7 +178,12 @@ impl MechanicalQuantity {
             | MechanicalQuantity::KineticEnergy
             | MechanicalQuantity::PotentialEnergy
             | MechanicalQuantity::ShakingForce
-            | MechanicalQuantity::ShakingMoment(_) => false,
+            | MechanicalQuantity::ShakingMoment(_)
+            | MechanicalQuantity::Inertia(_)
+            | MechanicalQuantity::MassMatrix(_)
+            | MechanicalQuantity::Bias(_)
+            | MechanicalQuantity::GeneralisedForce(_)
+            | MechanicalQuantity::DrivenAcceleration(_) => false,
         }
     }
 }

@@ -1,6 +1,7 @@
 //! The engine against programs, for a corpus of random mechanisms; programs against the graph, and what is in programs
 //! at all, for more of them.
 
+mod dynamics;
 mod oracle;
 mod parts;
 mod quotients;
