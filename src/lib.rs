@@ -291,6 +291,15 @@ pub mod design {
     }
 }
 
+/// Dynamics: the motion that forces make, its events, steady states, motors, flywheels, frequencies.
+#[cfg(feature = "dynamics")]
+pub mod dynamics {
+    #![doc = include_str!("links.md")]
+    #![doc = include_str!("../docs/dynamics.md")]
+
+    pub use linkage_dynamics::*;
+}
+
 /// Reports: plots, drawings to scale, data and interactive pages of a mechanism over its range.
 #[cfg(feature = "report")]
 pub mod report {

@@ -23,7 +23,6 @@ mod minimise;
 mod monotone_pieces;
 mod print;
 mod ratio;
-mod root;
 mod source;
 mod transmission;
 mod zero_threshold;

@@ -4,6 +4,7 @@
 //! For the compiler and generated code, which shall do the same: what they need may change with
 //! every version, so users do not see it.
 
+pub mod bracket;
 #[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]
 pub mod cholesky;
 pub mod choose_assembly;

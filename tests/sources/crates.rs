@@ -9,13 +9,14 @@ use std::thread;
 use crate::lexer::{Lexed, lexed};
 
 /// Crates by their folders; the facade has its sources in `src`.
-pub(crate) const CRATES: [&str; 23] = [
+pub(crate) const CRATES: [&str; 24] = [
     "linkage-analysis",
     "linkage-c",
     "linkage-cli",
     "linkage-compiler",
     "linkage-core",
     "linkage-design",
+    "linkage-dynamics",
     "linkage-editor",
     "linkage-formats",
     "linkage-engine",

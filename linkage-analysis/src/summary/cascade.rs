@@ -5,10 +5,10 @@
 //! (the difference of the derivative below) tell of pairs of roots between two positions.
 
 use super::defined_intervals::DefinedInterval;
-use super::root::root;
 use super::source::{Node, Source};
 use super::zero_threshold::ZeroThreshold;
 use alloc::vec::Vec;
+use linkage_core::numeric::bracket::root;
 
 /// The number of divisions of an interval in search of a pair of roots.
 const DIVISIONS: u32 = 12;

@@ -2,9 +2,9 @@
 
 use super::curve::Curve;
 use super::monotone_pieces::{PieceEnd, crossing_input};
-use super::root::root;
 use super::source::Node;
 use alloc::vec::Vec;
+use linkage_core::numeric::bracket::root;
 
 /// Two neighbouring stations.
 type Piece<const N: usize> = [Node<N>; 2];

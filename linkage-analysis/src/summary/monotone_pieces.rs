@@ -2,9 +2,9 @@
 
 use super::cascade::{Root, Solved};
 use super::extremes::Kind;
-use super::root::root;
 use super::source::{Node, Source};
 use alloc::vec::Vec;
+use linkage_core::numeric::bracket::root;
 
 /// An end of a piece.
 #[derive(Clone, Copy, Debug)]

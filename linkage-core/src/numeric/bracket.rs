@@ -1,7 +1,7 @@
-//! The root of a function between two places where its signs differ.
+//! The root of a function between two points where its signs differ.
 
 /// A place and the value there.
-pub(super) type Sample = (f64, f64);
+pub type Sample = (f64, f64);
 
 /// More than Newton's steps and all bisections of a bracket together.
 const STEPS: usize = 200;
@@ -9,7 +9,7 @@ const STEPS: usize = 200;
 /// The root between `a` and `b`, to the last digit of the bracket's ends, if `g` gives value and
 /// slope: by Newton's method, by interpolation where there is no slope (NaN), and by bisection
 /// where either leaves the bracket or is slow.
-pub(super) fn root(mut a: Sample, mut b: Sample, g: &mut impl FnMut(f64) -> [f64; 2]) -> f64 {
+pub fn root(mut a: Sample, mut b: Sample, g: &mut impl FnMut(f64) -> [f64; 2]) -> f64 {
     let tolerance = 0.5 * f64::EPSILON * a.0.abs().max(b.0.abs());
     let mut x = a.0 + 0.5 * (b.0 - a.0);
     let mut step = b.0 - a.0;

@@ -1,0 +1,260 @@
+//! Conservative mechanisms with one input: speed from the energy, time from its integral.
+
+use gauss_quad::GaussLegendre;
+use linkage_core::numeric::bracket;
+use std::error::Error;
+use std::fmt;
+use std::num::NonZeroUsize;
+
+/// Points of both Gauss rules of a panel; their difference bounds the error of the coarse one.
+const COARSE: NonZeroUsize = NonZeroUsize::new(10).unwrap();
+const FINE: NonZeroUsize = NonZeroUsize::new(16).unwrap();
+/// Width of the first panel, rad.
+const PANEL: f64 = 0.5;
+/// Panels below this part of the first one end the motion.
+const LEAST_PANEL: f64 = 1e-15;
+/// A difference of both rules below this part of the tolerance doubles the next panel.
+const EASY: f64 = 1e-4;
+/// Tolerance without another one: twelve digits.
+const TOLERANCE: f64 = 1e-12;
+
+/// A conservative mechanism with one input, from its reduced inertia and the work of its forces as
+/// functions of the input.
+///
+/// The speed follows from the energy: `J omega^2 / 2 = J_0 omega_0^2 / 2 + W - W_0`. The time is
+/// the integral of `1 / omega` over the input, by Gauss rules. Both have no error that grows with
+/// the number of turns. `W` is the negative potential energy, plus the work of constant moments.
+///
+/// ```
+/// use linkage_dynamics::Conservative;
+///
+/// // A pendulum of 1 kg and 1 m that falls from 90 degrees: a quarter of its period.
+/// let pendulum = Conservative::new(|_| 1.0, |phi: f64| 9.81 * phi.cos())
+///     .start(std::f64::consts::FRAC_PI_2, 0.0);
+/// assert!((pendulum.speed(0.0) - (2.0 * 9.81_f64).sqrt()).abs() < 1e-14);
+/// let quarter = pendulum.time(0.0)?;
+/// assert!((quarter - 1.854_074_677_301_372 / 9.81_f64.sqrt()).abs() < 1e-12);
+/// # Ok::<(), linkage_dynamics::NoMotion>(())
+/// ```
+#[derive(Debug)]
+pub struct Conservative<J, W> {
+    inertia: J,
+    work: W,
+    start: f64,
+    speed: f64,
+    period: Option<f64>,
+    tolerance: f64,
+    rules: [GaussLegendre; 2],
+}
+
+impl<J: Fn(f64) -> f64, W: Fn(f64) -> f64> Conservative<J, W> {
+    /// Creates a mechanism from its reduced inertia (moment times s^2) and its work (moment).
+    #[must_use]
+    pub fn new(inertia: J, work: W) -> Self {
+        Self {
+            inertia,
+            work,
+            start: 0.0,
+            speed: 0.0,
+            period: None,
+            tolerance: TOLERANCE,
+            rules: [COARSE, FINE].map(GaussLegendre::new),
+        }
+    }
+
+    /// Sets input and speed at the start. From rest the mechanism moves where its work grows.
+    #[must_use]
+    pub fn start(mut self, input: f64, speed: f64) -> Self {
+        (self.start, self.speed) = (input, speed);
+        self
+    }
+
+    /// Declares that inertia and work repeat themselves with this period of the input. Whole
+    /// periods are then multiples of the time of one.
+    #[must_use]
+    pub fn period(mut self, period: f64) -> Self {
+        self.period = Some(period);
+        self
+    }
+
+    /// Sets the relative tolerance of times, 1e-12 without it.
+    #[must_use]
+    pub fn tolerance(mut self, tolerance: f64) -> Self {
+        self.tolerance = tolerance;
+        self
+    }
+
+    /// Returns the size of the speed at an input; NaN where the energy does not reach.
+    #[must_use]
+    pub fn speed(&self, input: f64) -> f64 {
+        let first = 0.5 * (self.inertia)(self.start) * self.speed * self.speed;
+        let kinetic = first + (self.work)(input) - (self.work)(self.start);
+        (2.0 * kinetic / (self.inertia)(input)).sqrt()
+    }
+
+    /// Returns the time in s from the start until the mechanism first reaches an input.
+    ///
+    /// # Errors
+    ///
+    /// [`NoMotion`] if the input is not ahead, or is not reached.
+    pub fn time(&self, input: f64) -> Result<f64, NoMotion> {
+        let sign = self.direction()?;
+        let distance = sign * (input - self.start);
+        if distance == 0.0 {
+            return Ok(0.0);
+        }
+        if !(distance > 0.0 && distance.is_finite()) {
+            return Err(NoMotion::Behind { input });
+        }
+        let (mut time, mut done, mut width) = (0.0, 0.0, PANEL);
+        while done < distance {
+            let left = distance - done;
+            let panel = self.panel(sign, done, width.min(left))?;
+            time += panel.time;
+            done = if panel.width == left {
+                distance
+            } else {
+                done + panel.width
+            };
+            width = panel.next;
+        }
+        Ok(time)
+    }
+
+    /// Returns the input at a time in s after the start.
+    ///
+    /// # Errors
+    ///
+    /// [`NoMotion`] if the mechanism turns or has no position before that time.
+    pub fn input(&self, time: f64) -> Result<f64, NoMotion> {
+        let sign = self.direction()?;
+        if !(time >= 0.0 && time.is_finite()) {
+            return Err(NoMotion::BadTime(time));
+        }
+        let (mut left, mut whole) = (time, 0.0);
+        if let Some(period) = self.period {
+            let turn = self.time(self.start + sign * period)?;
+            let turns = (time / turn).floor();
+            left = time - turns * turn;
+            whole = turns * period;
+        }
+        let (mut done, mut width) = (0.0, PANEL);
+        loop {
+            let panel = self.panel(sign, done, width)?;
+            if panel.time >= left {
+                let end = (panel.width, panel.time - left);
+                let mut off = |x: f64| {
+                    let slope = 1.0 / self.speed(self.start + sign * (done + x));
+                    [self.over(sign, [done, done + x], 1) - left, slope]
+                };
+                let last = bracket::root((0.0, -left), end, &mut off);
+                return Ok(self.start + sign * (whole + done + last));
+            }
+            left -= panel.time;
+            done += panel.width;
+            width = panel.next;
+        }
+    }
+
+    /// Returns the sign of the motion.
+    fn direction(&self) -> Result<f64, NoMotion> {
+        if !self.speed.is_finite() || self.speed != 0.0 {
+            return Ok(self.speed.signum());
+        }
+        let near = LEAST_PANEL.sqrt() * PANEL;
+        let [less, more] = [-near, near].map(|step| (self.work)(self.start + step));
+        match more.partial_cmp(&less) {
+            Some(std::cmp::Ordering::Greater) => Ok(1.0),
+            Some(std::cmp::Ordering::Less) => Ok(-1.0),
+            Some(std::cmp::Ordering::Equal) | None => Err(NoMotion::AtRest { input: self.start }),
+        }
+    }
+
+    /// Returns the time of a panel that begins at a distance from the start, with a width that both
+    /// rules agree on.
+    fn panel(&self, sign: f64, done: f64, mut width: f64) -> Result<Panel, NoMotion> {
+        loop {
+            let ends = [done, done + width];
+            let [coarse, time] = [0, 1].map(|rule| self.over(sign, ends, rule));
+            let off = (coarse - time).abs();
+            if off <= self.tolerance * time {
+                let is_easy = off <= EASY * self.tolerance * time;
+                let next = if is_easy { 2.0 * width } else { width };
+                return Ok(Panel { time, width, next });
+            }
+            width *= 0.5;
+            if width < LEAST_PANEL * PANEL || done + width == done {
+                let input = self.start + sign * done;
+                return Err(NoMotion::Ends { input });
+            }
+        }
+    }
+
+    /// Returns the time between two distances from the start, by one of the rules. From rest the
+    /// speed grows with the root of the distance: the integral is that over the root.
+    fn over(&self, sign: f64, [from, to]: [f64; 2], rule: usize) -> f64 {
+        let slowness = |distance: f64| 1.0 / self.speed(self.start + sign * distance);
+        let rule = &self.rules[rule];
+        if self.speed == 0.0 && from == 0.0 {
+            rule.integrate(0.0, to.sqrt(), |root| 2.0 * root * slowness(root * root))
+        } else {
+            rule.integrate(from, to, slowness)
+        }
+    }
+}
+
+/// A panel of the integral over the input.
+struct Panel {
+    time: f64,
+    width: f64,
+    /// Width to try for the next one.
+    next: f64,
+}
+
+/// The reason why a conservative mechanism does not reach an input or a time.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
+pub enum NoMotion {
+    /// The input is opposite to the motion.
+    Behind {
+        /// The wished input.
+        input: f64,
+    },
+    /// The mechanism is at rest in an equilibrium.
+    AtRest {
+        /// The input of the start.
+        input: f64,
+    },
+    /// The motion ends at an input: the energy is exhausted, or there is no position beyond.
+    Ends {
+        /// The last input.
+        input: f64,
+    },
+    /// The time is negative or not finite.
+    BadTime(f64),
+}
+
+impl fmt::Display for NoMotion {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Behind { input } => {
+                write!(
+                    f,
+                    "the motion does not lead to the input {input}\nhelp: it is behind the start"
+                )
+            }
+            Self::AtRest { input } => write!(
+                f,
+                "the mechanism is in equilibrium at the input {input}\nhelp: give it a speed, or another start"
+            ),
+            Self::Ends { input } => write!(
+                f,
+                "the motion ends at the input {input}\nhelp: the energy is exhausted there, or the mechanism has no \
+                 position beyond"
+            ),
+            Self::BadTime(time) => write!(f, "the time {time} s is negative or not finite"),
+        }
+    }
+}
+
+impl Error for NoMotion {}

@@ -1,0 +1,348 @@
+//! Periodic steady state of a machine: the speed that repeats itself after a turn, its unevenness,
+//! and the flywheel for a wished one.
+
+use crate::equations::Reduced;
+use crate::event::zero;
+use crate::machine::Machine;
+use crate::step::{NODES, Step};
+use crate::turn::{Stall, Turn, speed};
+use gauss_quad::GaussLegendre;
+use std::error::Error;
+use std::fmt;
+use std::num::NonZeroUsize;
+
+/// Newton's steps, many more than a good start needs.
+const NEWTON_STEPS: usize = 50;
+/// Steps of the secant method for a flywheel.
+const SECANT_STEPS: usize = 50;
+/// Difference of the speed for its derivative: the third root of a digit.
+const DIFFERENCE: f64 = 6e-6;
+/// Points of a Gauss rule over one step.
+const QUADRATURE: NonZeroUsize = NonZeroUsize::new(8).unwrap();
+
+/// A motion that repeats itself with every period of the input.
+#[derive(Clone, Debug)]
+pub struct SteadyState {
+    turn: Turn,
+    period: f64,
+    multiplier: f64,
+    slowest: (f64, f64),
+    fastest: (f64, f64),
+}
+
+impl SteadyState {
+    /// Returns the time of a period, s.
+    #[must_use]
+    pub fn time(&self) -> f64 {
+        self.turn.end()[0]
+    }
+
+    /// Returns the mean speed over time: the period of the input over its time, rad/s.
+    #[must_use]
+    pub fn mean_speed(&self) -> f64 {
+        self.period / self.time()
+    }
+
+    /// Returns input and speed where the machine is slowest.
+    #[must_use]
+    pub const fn slowest(&self) -> (f64, f64) {
+        self.slowest
+    }
+
+    /// Returns input and speed where the machine is fastest.
+    #[must_use]
+    pub const fn fastest(&self) -> (f64, f64) {
+        self.fastest
+    }
+
+    /// Returns the degree of unevenness: the difference of the largest and the least speed over the
+    /// mean speed.
+    #[must_use]
+    pub fn unevenness(&self) -> f64 {
+        (self.fastest.1 - self.slowest.1) / self.mean_speed()
+    }
+
+    /// Returns the factor by which a disturbance of the squared speed changes in one period: the
+    /// steady state is stable if it is less than 1.
+    #[must_use]
+    pub const fn multiplier(&self) -> f64 {
+        self.multiplier
+    }
+
+    /// Returns the speed at an input of the period; NaN outside of it.
+    #[must_use]
+    pub fn speed(&self, input: f64) -> f64 {
+        self.turn.state(input)[1]
+    }
+
+    /// Returns the time since the start of the period at an input of it, s; NaN outside of it.
+    #[must_use]
+    pub fn time_at_input(&self, input: f64) -> f64 {
+        self.turn.state(input)[0]
+    }
+}
+
+/// The reason why there is no steady state.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
+pub enum NotSteady {
+    /// The machine stops within the turn.
+    Stalls {
+        /// Speed at the start of the turn, rad/s.
+        start: f64,
+        /// Input at which the turn ends.
+        input: f64,
+        /// Speed there.
+        speed: f64,
+    },
+    /// The speed does not change the speed after a turn: no torque depends on it.
+    Indifferent {
+        /// Change of half the squared speed in a turn.
+        gain: f64,
+    },
+    /// Newton's steps do not converge.
+    NotFound {
+        /// Speed of the last step, rad/s.
+        speed: f64,
+        /// Relative change of the squared speed in a turn there.
+        change: f64,
+    },
+    /// No flywheel gives the wished unevenness.
+    NoFlywheel {
+        /// The wished degree of unevenness.
+        wished: f64,
+        /// Degree of unevenness of the last step.
+        unevenness: f64,
+    },
+    /// The speed to begin with, or the wished unevenness, is not a positive number.
+    NotPositive(f64),
+}
+
+impl fmt::Display for NotSteady {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Stalls {
+                start,
+                input,
+                speed,
+            } => write!(
+                f,
+                "the machine that starts a turn with {start} rad/s ends it at the input {input} with {speed} rad/s\n\
+                 help: begin with a larger speed, or use a stronger motor or a flywheel"
+            ),
+            Self::Indifferent { gain } => write!(
+                f,
+                "half the squared speed grows by {gain} in each turn, at every speed\nhelp: use a motor or a damper \
+                 whose torque depends on the speed"
+            ),
+            Self::NotFound { speed, change } => write!(
+                f,
+                "no steady state is found near {speed} rad/s, where the squared speed changes by {:.1} % in a turn\n\
+                 help: begin with another speed",
+                100.0 * change
+            ),
+            Self::NoFlywheel { wished, unevenness } => write!(
+                f,
+                "no flywheel is found for the unevenness {wished}: the last one gives {unevenness}"
+            ),
+            Self::NotPositive(value) => write!(f, "{value} is not a positive number"),
+        }
+    }
+}
+
+impl Error for NotSteady {}
+
+/// Finds the periodic steady state of a machine near a speed at the start of its period, rad/s.
+///
+/// Newton's method solves `P(e) = e` for half the squared speed `e = omega^2 / 2` at the start,
+/// where `P` is the result of a period. Its derivative is `exp` of the integral of
+/// `(d acceleration / d omega) / omega` over the period.
+///
+/// # Errors
+///
+/// [`NotSteady`]: the machine stops, no torque depends on the speed, or Newton's steps end
+/// elsewhere.
+pub fn steady_state<F>(machine: &Machine<F>, near: f64) -> Result<SteadyState, NotSteady>
+where
+    F: Fn(f64, f64) -> Reduced,
+{
+    if !(near > 0.0 && near.is_finite()) {
+        return Err(NotSteady::NotPositive(near));
+    }
+    let mut start = near;
+    let mut change = f64::NAN;
+    for _ in 0..NEWTON_STEPS {
+        let turn = Turn::from_speed(machine, start).map_err(|stall| stalls(start, stall))?;
+        let half_square = 0.5 * start * start;
+        let gain = turn.end()[1] - half_square;
+        change = gain / half_square;
+        let multiplier = multiplier(machine, &turn);
+        // What differences of the acceleration cannot see.
+        if (multiplier - 1.0).abs() < DIFFERENCE * DIFFERENCE {
+            return Err(NotSteady::Indifferent { gain });
+        }
+        let step = gain / (1.0 - multiplier);
+        if step.abs() <= machine.tolerance * half_square {
+            return Ok(state(machine, turn, multiplier));
+        }
+        // Not below a tenth of the square, and not above ten times of it.
+        let next = (half_square + step).clamp(0.1 * half_square, 10.0 * half_square);
+        start = (2.0 * next).sqrt();
+    }
+    Err(NotSteady::NotFound {
+        speed: start,
+        change,
+    })
+}
+
+const fn stalls(start: f64, stall: Stall) -> NotSteady {
+    NotSteady::Stalls {
+        start,
+        input: stall.input,
+        speed: stall.speed,
+    }
+}
+
+/// Returns the derivative of half the squared speed after a period with respect to that before.
+fn multiplier<F: Fn(f64, f64) -> Reduced>(machine: &Machine<F>, turn: &Turn) -> f64 {
+    let rule = GaussLegendre::new(QUADRATURE);
+    let exponent = turn.steps.iter().map(|step| {
+        rule.integrate(step.start, step.start + step.width, |input| {
+            let omega = speed(&step.state(input).phase());
+            let [low, high] = [1.0 - DIFFERENCE, 1.0 + DIFFERENCE].map(|part| part * omega);
+            let [less, more] = [low, high].map(|omega| machine.acceleration(input, omega));
+            (more - less) / ((high - low) * omega)
+        })
+    });
+    exponent.sum::<f64>().exp()
+}
+
+/// Returns the steady state with its extreme speeds, at which the acceleration is zero.
+fn state<F: Fn(f64, f64) -> Reduced>(
+    machine: &Machine<F>,
+    turn: Turn,
+    multiplier: f64,
+) -> SteadyState {
+    let first = (machine.start, turn.state(machine.start)[1]);
+    let (mut slowest, mut fastest) = (first, first);
+    let mut consider = |input: f64, omega: f64| {
+        if omega < slowest.1 {
+            slowest = (input, omega);
+        }
+        if omega > fastest.1 {
+            fastest = (input, omega);
+        }
+    };
+    for step in &turn.steps {
+        let acceleration = |node: usize| {
+            let input = step.position(node);
+            (input, machine.acceleration(input, speed(&step.nodes[node])))
+        };
+        for node in 1..NODES {
+            consider(step.position(node), speed(&step.nodes[node]));
+            let ends = [acceleration(node - 1), acceleration(node)];
+            if ends[0].1 * ends[1].1 < 0.0 {
+                let input = extreme(machine, step, ends);
+                consider(input, speed(&step.state(input).phase()));
+            }
+        }
+    }
+    SteadyState {
+        turn,
+        period: machine.period,
+        multiplier,
+        slowest,
+        fastest,
+    }
+}
+
+/// Returns the input between two nodes at which the acceleration is zero.
+fn extreme<F: Fn(f64, f64) -> Reduced>(
+    machine: &Machine<F>,
+    step: &Step<1>,
+    ends: [(f64, f64); 2],
+) -> f64 {
+    zero(step, ends, |state| {
+        machine.acceleration(state.time, speed(&state.phase()))
+    })
+}
+
+/// A flywheel on the shaft of the input.
+#[derive(Clone, Debug)]
+pub struct Flywheel {
+    /// Moment of inertia, in moments times s^2: with `unit mm` in N*mm*s^2, which are 1000 kg*mm^2.
+    pub inertia: f64,
+    /// The steady state with the flywheel.
+    pub steady_state: SteadyState,
+}
+
+/// Finds the smallest flywheel with which the degree of unevenness is at most a wished one.
+///
+/// The inverse of the unevenness is nearly linear in the inertia. The secant method starts with
+/// that line.
+///
+/// # Errors
+///
+/// [`NotSteady`] as for [`steady_state`], or if the steps end elsewhere.
+pub fn flywheel<F>(machine: &Machine<F>, wished: f64, near: f64) -> Result<Flywheel, NotSteady>
+where
+    F: Fn(f64, f64) -> Reduced,
+{
+    if !(wished > 0.0 && wished.is_finite()) {
+        return Err(NotSteady::NotPositive(wished));
+    }
+    let with = |inertia: f64, near: f64| {
+        let equation = |input: f64, omega: f64| {
+            let Reduced {
+                inertia: [[alone]],
+                force,
+            } = (machine.equation)(input, omega);
+            Reduced {
+                inertia: [[alone + inertia]],
+                force,
+            }
+        };
+        let Machine {
+            start,
+            period,
+            tolerance,
+            ..
+        } = *machine;
+        let machine = Machine {
+            equation,
+            start,
+            period,
+            tolerance,
+        };
+        steady_state(&machine, near)
+    };
+    let found = with(0.0, near)?;
+    let mut unevenness = found.unevenness();
+    if unevenness <= wished {
+        return Ok(Flywheel {
+            inertia: 0.0,
+            steady_state: found,
+        });
+    }
+    let near = found.mean_speed();
+    let alone = (machine.equation)(found.slowest.0, near).inertia[0][0];
+    let excess = |unevenness: f64| wished / unevenness - 1.0;
+    let mut before = (0.0, excess(unevenness));
+    let mut inertia = alone * (unevenness / wished - 1.0);
+    for _ in 0..SECANT_STEPS {
+        let found = with(inertia, near)?;
+        unevenness = found.unevenness();
+        let off = excess(unevenness);
+        if off.abs() <= machine.tolerance.sqrt() * 1e-3 {
+            return Ok(Flywheel {
+                inertia,
+                steady_state: found,
+            });
+        }
+        let next = inertia - off * (inertia - before.0) / (off - before.1);
+        before = (inertia, off);
+        // Towards zero by a factor of ten at most.
+        inertia = next.max(0.1 * inertia);
+    }
+    Err(NotSteady::NoFlywheel { wished, unevenness })
+}
