@@ -12,6 +12,8 @@ mod assemblies;
 mod c;
 mod check;
 mod choose;
+mod column;
+mod csv_options;
 mod declaration;
 mod fmt;
 mod gap_reason;
@@ -27,6 +29,7 @@ mod page;
 mod range;
 mod replaced;
 mod robot;
+mod run;
 mod running_input;
 mod rust;
 mod st;
@@ -67,6 +70,8 @@ enum Command {
     Tolerance(tolerance::Options),
     /// The load, the spring rate or the mass for which a result has a wanted value
     Hold(hold::Options),
+    /// The motion that loads, weights and springs make, over time
+    Run(run::Options),
     /// Every way in which the links can be put together at one position
     Assemblies(assemblies::AtInputs),
     /// How far each assembly reaches over the range of the input
@@ -105,6 +110,13 @@ pub fn run() -> ExitCode {
                 command.error(ErrorKind::ArgumentConflict, mistake).exit();
             }
             table::run(options)
+        }
+        Command::Run(options) => {
+            if let Some(mistake) = options.mistake() {
+                let mut command = Arguments::command();
+                command.error(ErrorKind::ArgumentConflict, mistake).exit();
+            }
+            run::run(options)
         }
         Command::New(options) => new::run(options),
         Command::Import(options) => import::run(options),

@@ -16,6 +16,12 @@ pub(super) struct Given {
 }
 
 impl Given {
+    /// All arguments, with a value for those that are not given.
+    pub(super) fn or(self, value: f64) -> Vec<f64> {
+        let values = self.values.into_iter();
+        values.map(|given| given.unwrap_or(value)).collect()
+    }
+
     /// All arguments, or which one is missing.
     pub(super) fn complete(self) -> Result<Vec<f64>, String> {
         let pairs = self.names.iter().zip(self.values);

@@ -22,6 +22,7 @@ mod pages;
 mod quoted;
 mod ranges;
 mod robot;
+mod run;
 mod rust;
 mod st;
 mod start;

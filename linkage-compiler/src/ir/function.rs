@@ -101,6 +101,8 @@ pub struct Field {
     pub about: String,
     /// The joint whose reaction the field is.
     pub reaction: Option<String>,
+    /// The input, by index, whose acceleration without drives the field is.
+    pub driven_acceleration: Option<usize>,
 }
 
 impl Field {

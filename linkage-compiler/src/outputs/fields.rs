@@ -40,6 +40,7 @@ pub(super) fn fields(
                     unit.name()
                 ),
                 reaction: None,
+                driven_acceleration: None,
             }
         }
         None => {
@@ -60,6 +61,7 @@ pub(super) fn fields(
                 },
                 about: about(mechanism, definition, quantity),
                 reaction: reaction(mechanism, &quantity.value),
+                driven_acceleration: driven_acceleration(&quantity.value),
             }
         }
     };
@@ -72,6 +74,14 @@ fn reaction(mechanism: &Mechanism, value: &Expr) -> Option<String> {
         ExprKind::Mechanics(MechanicalQuantity::Reaction(joint)) => {
             mechanism.joints[joint].name.clone()
         }
+        _ => None,
+    }
+}
+
+/// The input whose acceleration without drives a quantity is.
+fn driven_acceleration(value: &Expr) -> Option<usize> {
+    match value.kind {
+        ExprKind::Mechanics(MechanicalQuantity::DrivenAcceleration(input)) => Some(input),
         _ => None,
     }
 }

@@ -140,6 +140,7 @@ fn as_function((index, own): (usize, &Named)) -> Function {
         unit: String::new(),
         about: String::new(),
         reaction: None,
+        driven_acceleration: None,
     };
     let column = |index: usize| Column {
         name: format!("r{index}"),

@@ -8,20 +8,13 @@ use linkage_engine::{Assembly, Mechanism};
 use linkage_report::CsvStyle;
 use serde_json::{Value, json};
 
+use super::super::column::Column;
 use super::super::running_input::Along;
 use super::super::unbounded::Unbounded;
 
 /// Numbers of a table in JSON that are held, where column follows column: those of 361 positions
 /// always.
 const HELD: usize = 1 << 18;
-
-/// A column with its name and unit.
-struct Column<'a> {
-    name: &'a str,
-    unit: &'a str,
-    /// Radians that are shown in degrees.
-    in_degrees: bool,
-}
 
 /// A function over a course.
 pub(super) struct Streamed<'a> {
@@ -50,14 +43,8 @@ impl<'a> Streamed<'a> {
         let input = along.running.map(|(_, input)| (input.name, input.unit));
         let results = mechanism.headings()[function].columns.iter();
         let results = results.map(|result| (result.name, result.unit));
-        let columns = input.into_iter().chain(results).map(|(name, unit)| {
-            let in_degrees = in_degrees && unit == "rad";
-            Column {
-                name,
-                unit: if in_degrees { "deg" } else { unit },
-                in_degrees,
-            }
-        });
+        let columns = input.into_iter().chain(results);
+        let columns = columns.map(|(name, unit)| Column::new(name, unit, in_degrees));
         Self {
             mechanism,
             assembly,
@@ -190,22 +177,6 @@ impl<'a> Streamed<'a> {
             out,
             "{separator}{{\"name\":{name},\"unit\":{unit},\"values\":["
         )
-    }
-}
-
-impl Column<'_> {
-    fn shown(&self, x: f64) -> f64 {
-        match self.in_degrees {
-            true => x.to_degrees(),
-            false => x,
-        }
-    }
-
-    fn title(&self) -> String {
-        match self.unit {
-            "" => self.name.to_owned(),
-            unit => format!("{} [{unit}]", self.name),
-        }
     }
 }
 
