@@ -164,7 +164,7 @@ def two_workers(count: int) -> float:
         Client(local) as client,
     ):
         cluster.tolerances(client, m, 7, 10_000, 2)
-        two, parts = timed(lambda: cluster.tolerances(client, m, 7, count, 16))
+        two, parts = timed(lambda: cluster.tolerances(client, m, 7, count, 8))
     assert parts.to_bytes() == whole.to_bytes()
     print(f"{count:.0e} mechanisms: {alone:.1f} s by one process, {two:.1f} s by two workers")
     return two / alone

@@ -5,6 +5,7 @@ use alloc::vec;
 use alloc::vec::Vec;
 use core::array;
 use core::ops::{ControlFlow, Range};
+use std::sync::Mutex;
 use std::time::{Duration, Instant};
 
 use super::block::{BLOCK, mechanisms_in};
@@ -103,19 +104,25 @@ impl<'a, const N: usize, const K: usize> Study<'a, N, K> {
         let end = Instant::now().checked_add(time);
         let results = &mut self.results;
         for gap in results.gaps(self.blocks.clone()) {
-            let empty = results.empty();
+            let before = progress_of(results, &self.blocks);
+            // Each thread goes on with a part of an earlier round: bins take megabytes.
+            let waiting = Mutex::new(Vec::new());
+            let take = || waiting.lock().expect("no thread has failed").pop();
             let work = |blocks: Range<u64>| {
-                let mut part = empty.clone();
+                let mut part = take().unwrap_or_else(|| results.empty());
                 (self.evaluate)(blocks, &mut part);
                 part
             };
             let mut is_over = false;
             rounds(gap, work, |parts| {
-                for part in &parts {
-                    results.merge(part).expect("a part that was missing");
-                }
+                let mut waiting = waiting.lock().expect("no thread has failed");
+                waiting.extend(parts);
                 if let Some(report) = &mut self.progress {
-                    report(progress_of(results, &self.blocks));
+                    let added: u64 = waiting.iter().map(Stream::done).sum();
+                    report(Progress {
+                        done: before.done + added as usize,
+                        ..before
+                    });
                 }
                 is_over = end.is_some_and(|end| Instant::now() >= end);
                 match is_over {
@@ -123,6 +130,9 @@ impl<'a, const N: usize, const K: usize> Study<'a, N, K> {
                     false => ControlFlow::Continue(()),
                 }
             });
+            for part in waiting.into_inner().expect("no thread has failed") {
+                results.merge(&part).expect("a part that was missing");
+            }
             if is_over {
                 return;
             }
