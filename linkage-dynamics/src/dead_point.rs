@@ -6,9 +6,9 @@
 //! speed is the acceleration of the equation of motion. At a dead point it is not: by the equation
 //! an infinite inertia has no acceleration.
 
-use crate::equations::Equations;
+use crate::equations_of_motion::Equations;
 use crate::event::zero;
-use crate::motion::State;
+use crate::state::State;
 use crate::step::{NODES, Step};
 
 /// Difference between slope and acceleration, as a part of the larger one, beyond which a reversal

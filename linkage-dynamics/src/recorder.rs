@@ -1,19 +1,20 @@
 //! Recorder of a motion: steps, events and dead points in the order of time.
 
+use crate::computed_motion::{Ended, Motion};
 use crate::dead_point::{dead_point, dead_point_ahead};
-use crate::equations::Equations;
+use crate::equations_of_motion::Equations;
 use crate::error::Cause;
-use crate::event::{Event, Watch};
-use crate::motion::{Ended, Motion, State};
+use crate::event::{Event, EventSearch};
 use crate::observer::Receive;
 use crate::phase::Phase;
+use crate::state::State;
 use crate::step::Step;
 use crate::stepper::{Counts, Settings};
 
 /// A motion that grows by steps.
 pub(crate) struct Recorder<'e, 'a, E, const N: usize> {
     equations: &'e E,
-    watch: Watch<'e, 'a, N>,
+    search: EventSearch<'e, 'a, N>,
     settings: Settings,
     most_steps: usize,
     keeps_steps: bool,
@@ -35,7 +36,7 @@ impl<'e, 'a, E: Equations<N>, const N: usize> Recorder<'e, 'a, E, N> {
     ) -> Self {
         Self {
             equations,
-            watch: Watch::new(events, &motion.start),
+            search: EventSearch::new(events, &motion.start),
             settings,
             most_steps,
             keeps_steps,
@@ -91,7 +92,7 @@ impl<E: Equations<N>, const N: usize> Receive<N> for Recorder<'_, '_, E, N> {
         if let Some((time, _)) = dead {
             step = step.until(time);
         }
-        if let Some(stop) = self.watch.add(&step, &mut self.motion.occurrences) {
+        if let Some(stop) = self.search.add(&step, &mut self.motion.occurrences) {
             let step = step.until(stop.state.time);
             self.motion.append(step, self.keeps_steps);
             self.motion.ended = Ended::Event(stop.event);

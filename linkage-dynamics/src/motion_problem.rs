@@ -1,10 +1,11 @@
 //! The builder of a motion: equations, start, accuracy, events.
 
-use crate::equations::{Equations, FromAccelerations, FromReduced, OverTime, Reduced};
+use crate::computed_motion::Motion;
+use crate::equations_of_motion::{Equations, FromAccelerations, FromReduced, OverTime, Reduced};
 use crate::error::{Cause, Interrupted};
 use crate::event::Event;
-use crate::motion::{Motion, State};
 use crate::recorder::Recorder;
+use crate::state::State;
 use crate::stepper::{self, Halt, Method, Settings};
 
 /// Tolerance without another one: eight digits.

@@ -1,40 +1,12 @@
 //! A motion that has been computed: its steps with dense output, its events, its end.
 
-use crate::phase::Phase;
+use crate::state::State;
 use crate::step::Step;
 use gauss_quad::GaussLegendre;
 use std::num::NonZeroUsize;
 
 /// Points of a Gauss rule over one step: exact for products of two polynomials of a step.
 const QUADRATURE: NonZeroUsize = NonZeroUsize::new(8).unwrap();
-
-/// Inputs and speeds at a time.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct State<const N: usize> {
-    /// Time, s.
-    pub time: f64,
-    /// Inputs, rad or the length unit.
-    pub inputs: [f64; N],
-    /// Speeds of the inputs per second.
-    pub speeds: [f64; N],
-}
-
-impl<const N: usize> State<N> {
-    pub(crate) const fn new(time: f64, phase: Phase<N>) -> Self {
-        Self {
-            time,
-            inputs: phase.inputs,
-            speeds: phase.speeds,
-        }
-    }
-
-    pub(crate) const fn phase(&self) -> Phase<N> {
-        Phase {
-            inputs: self.inputs,
-            speeds: self.speeds,
-        }
-    }
-}
 
 /// An event that occurred.
 #[derive(Clone, Copy, Debug, PartialEq)]
