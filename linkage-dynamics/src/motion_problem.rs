@@ -171,7 +171,7 @@ impl<'a, const N: usize, E: Equations<N>> Problem<'a, N, E> {
         );
         let start = (self.start.time, self.start.phase());
         let (result, counts) = stepper::integrate(self.settings, &rates, start, end, &mut recorder);
-        let (motion, cause) = recorder.into_motion(counts);
+        let (motion, cause) = recorder.into_motion(counts, result.is_err());
         let halt = |halt| self.cause(motion.end, halt);
         match cause.or(result.err().map(halt)) {
             Some(cause) => Err(Interrupted::new(motion, cause)),

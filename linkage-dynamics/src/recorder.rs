@@ -47,11 +47,26 @@ impl<'e, 'a, E: Equations<N>, const N: usize> Recorder<'e, 'a, E, N> {
         }
     }
 
-    /// Returns the motion, and the cause of its end if that is not its time or an event.
-    pub(crate) fn into_motion(mut self, counts: Counts) -> (Motion<N>, Option<Cause<N>>) {
+    /// Returns the motion, and the cause of its end if that is not its time or an event. A motion
+    /// that has halted may be at a dead point.
+    pub(crate) fn into_motion(
+        mut self,
+        counts: Counts,
+        has_halted: bool,
+    ) -> (Motion<N>, Option<Cause<N>>) {
+        if has_halted && self.cause.is_none() {
+            self.cause = self.dead_point_ahead(0.0, true);
+        }
         self.motion.evaluations = counts.evaluations;
         self.motion.rejected = counts.rejected;
         (self.motion, self.cause)
+    }
+
+    /// Returns the dead point directly after the end, as a cause.
+    fn dead_point_ahead(&self, least: f64, is_last: bool) -> Option<Cause<N>> {
+        let end = &self.motion.end;
+        let found = dead_point_ahead(self.equations, end, &self.fastest, least, is_last);
+        found.map(|(state, input)| Cause::DeadPoint { state, input })
     }
 
     /// Looks for a dead point ahead of the end; returns true if there is none.
@@ -60,8 +75,7 @@ impl<'e, 'a, E: Equations<N>, const N: usize> Recorder<'e, 'a, E, N> {
         for (fastest, speed) in self.fastest.iter_mut().zip(end.speeds) {
             *fastest = fastest.max(speed.abs());
         }
-        let ahead = dead_point_ahead(self.equations, &end, &self.fastest);
-        self.cause = ahead.map(|(state, input)| Cause::DeadPoint { state, input });
+        self.cause = self.dead_point_ahead(self.settings.absolute, false);
         self.cause.is_none()
     }
 

@@ -13,11 +13,11 @@ mechanism! {
         body crank = pin on frame at (0, 0), turns phi, inertia 3000kg*mm^2;
         body coupler = pin on crank at polar(50mm, phi), turns theta;
         body rocker = pin on frame at (140mm, 0), turns psi;
-        pin = coupler on rocker at (140mm, 0) + polar(100mm, psi);
+        pin c = coupler on rocker at (140mm, 0) + polar(100mm, psi);
     }
     impl Rocker {
         fn crank(psi) -> Crank { phi, slope: velocity(phi) }
-        fn parts(psi, omega) -> Parts { j: inertia(psi), bias: bias(psi), force: generalised_force(psi) }
+        fn parts(psi, omega) -> Parts { j: inertia(psi), bias: bias(psi) }
     }
 }
 
@@ -29,7 +29,7 @@ fn a_rocker_ends_at_its_dead_point() {
     let start = 120_f64.to_radians();
     let equation = |_, [psi]: [f64; 1], [omega]: [f64; 1]| {
         let parts = rocker.parts(psi, omega);
-        Reduced::one(parts.j, parts.force - parts.bias)
+        Reduced::one(parts.j, -parts.bias)
     };
     for (reach, sign) in [(170.0, -1.0), (70.0, 1.0)] {
         let problem = Problem::reduced(equation)

@@ -7,8 +7,8 @@ mechanism! {
     /// Two cranks on the frame with springs, and two links between them.
     struct FiveBar {
         unit m;
-        input a = 100deg in 60deg..140deg at va;
-        input b = 80deg in 40deg..120deg at vb;
+        input a = 100deg in 85deg..115deg at va;
+        input b = 80deg in 65deg..95deg at vb;
         unknown p = 30deg;
         unknown q = 150deg;
         let c = polar(0.2m, a);
@@ -19,7 +19,7 @@ mechanism! {
         body right = pin base_b on frame at (0.3m, 0), turns b, mass 0.4kg at (d + (0.3m, 0)) / 2, inertia 0.002kg*m^2;
         body first = pin on left at c, turns p, mass 0.3kg at c + polar(0.125m, p), inertia 0.0015kg*m^2;
         body second = pin on right at d, turns q, mass 0.3kg at d + polar(0.125m, q), inertia 0.0015kg*m^2;
-        pin = first on second at d + polar(0.25m, q);
+        pin e = first on second at d + polar(0.25m, q);
         spring 40N*m on base_a, free 100deg;
         spring 40N*m on base_b, free 80deg;
     }
