@@ -29,7 +29,7 @@ fn a_rocker_ends_at_its_dead_point() {
     let start = 120_f64.to_radians();
     let equation = |_, [psi]: [f64; 1], [omega]: [f64; 1]| {
         let parts = rocker.parts(psi, omega);
-        Reduced::one(parts.j, -parts.bias)
+        Reduced::from_parts(1e-3, [[parts.j]], [parts.bias], [0.0])
     };
     for (reach, sign) in [(170.0, -1.0), (70.0, 1.0)] {
         let problem = Problem::reduced(equation)

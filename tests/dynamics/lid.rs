@@ -1,6 +1,6 @@
 //! A lid on a spring: equilibria and frequencies against the potential energy.
 
-use linkage::dynamics::{equilibria, natural_modes};
+use linkage::dynamics::{Reduced, equilibria, natural_modes};
 use linkage::mechanism;
 
 mechanism! {
@@ -14,6 +14,7 @@ mechanism! {
     }
     impl Lid {
         fn parts(phi, omega) -> Parts { j: inertia(phi), bias: bias(phi), force: generalised_force(phi) }
+        fn kinetic(phi, omega) -> Kinetic { e: kinetic_energy() }
         fn energy(phi) -> Energy { v: potential_energy() }
     }
 }
@@ -42,10 +43,10 @@ fn equilibria_are_extremes_of_the_potential() {
         // Small oscillations, or the fall from there.
         let accelerate = |[phi]: [f64; 1], [omega]: [f64; 1]| {
             let parts = lid.parts(phi, omega);
-            [(parts.force - parts.bias) / parts.j]
+            Reduced::from_parts(1e-3, [[parts.j]], [parts.bias], [parts.force]).accelerations()
         };
         let modes = natural_modes(accelerate, [equilibrium.input]).expect("modes");
-        let inertia = lid.parts(equilibrium.input, 0.0).j;
+        let inertia = 2.0 * lid.kinetic(equilibrium.input, 1.0).e;
         let square = modes[0].angular_frequency.powi(2) - modes[0].decay.powi(2);
         assert!(
             (square * inertia / equilibrium.stiffness - 1.0).abs() < 1e-6,
