@@ -3,6 +3,7 @@
 use crate::state::State;
 use crate::step::Step;
 use gauss_quad::GaussLegendre;
+use std::fmt;
 use std::num::NonZeroUsize;
 
 /// Points of a Gauss rule over one step: exact for products of two polynomials of a step.
@@ -28,7 +29,7 @@ pub enum Ended {
 }
 
 /// A motion over an interval of time.
-#[derive(Clone, Debug)]
+#[derive(Clone)]
 pub struct Motion<const N: usize> {
     pub(crate) start: State<N>,
     pub(crate) end: State<N>,
@@ -38,6 +39,19 @@ pub struct Motion<const N: usize> {
     pub(crate) accepted: usize,
     pub(crate) rejected: usize,
     pub(crate) evaluations: usize,
+}
+
+/// Prints no steps, which may be thousands.
+impl<const N: usize> fmt::Debug for Motion<N> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_struct("Motion")
+            .field("start", &self.start)
+            .field("end", &self.end)
+            .field("ended", &self.ended)
+            .field("occurrences", &self.occurrences)
+            .field("steps", &self.accepted)
+            .finish_non_exhaustive()
+    }
 }
 
 impl<const N: usize> Motion<N> {
