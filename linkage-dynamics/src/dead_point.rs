@@ -6,9 +6,9 @@
 //! speed is the acceleration of the equation of motion. At a dead point it is not: by the equation
 //! an infinite inertia has no acceleration.
 
-use crate::equations::Equations;
+use crate::equations_of_motion::Equations;
 use crate::event::zero;
-use crate::motion::State;
+use crate::state::State;
 use crate::step::{NODES, Step};
 
 /// Difference between slope and acceleration, as a part of the larger one, beyond which a reversal
@@ -19,12 +19,15 @@ const NOISE: f64 = 100.0;
 /// Part of the step over which the slope is taken.
 const SPAN: f64 = 1e-3;
 /// Part of the largest speed below which a dead point is looked for ahead. Nearer to it the input
-/// has no digits for its distance.
-const SLOW: f64 = 1e-5;
+/// has no digits for its distance. The second one is for a motion that has no further step.
+const SLOW: [f64; 2] = [1e-4, 0.05];
+/// Multiples of the tolerance that are slow, too.
+const SMALL: f64 = 20.0;
 /// Change of the acceleration on half of the way to rest below which it is the same.
 const STEADY: f64 = 0.05;
 
 /// Returns the input that reaches its dead point directly after a state, and the state there.
+/// Speeds below `least` are rounding.
 ///
 /// A slow input that brakes comes to rest within `-v / a`. Where its acceleration is the same after
 /// half of that time, it is nearly the same at rest. At a dead point it is not.
@@ -32,8 +35,14 @@ pub(crate) fn dead_point_ahead<const N: usize>(
     equations: &impl Equations<N>,
     state: &State<N>,
     fastest: &[f64; N],
+    least: f64,
+    is_last: bool,
 ) -> Option<(State<N>, usize)> {
-    let is_slow = |input: &usize| state.speeds[*input].abs() < SLOW * fastest[*input];
+    let slow = SLOW[usize::from(is_last)];
+    let is_slow = |input: &usize| {
+        let speed = state.speeds[*input].abs();
+        speed >= least && speed < (slow * fastest[*input]).max(SMALL * least)
+    };
     (0..N).filter(is_slow).find_map(|input| {
         let accelerations = equations.accelerations(state.time, state.inputs, state.speeds);
         let left = -state.speeds[input] / accelerations[input];

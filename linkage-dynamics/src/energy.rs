@@ -15,31 +15,35 @@ const PANEL: f64 = 0.5;
 const LEAST_PANEL: f64 = 1e-15;
 /// A difference of both rules below this part of the tolerance doubles the next panel.
 const EASY: f64 = 1e-4;
+/// A difference that halving a panel reduces by less than `GAIN` is rounding, if it is below this.
+const ROUNDING: f64 = 1e-8;
+const GAIN: f64 = 0.25;
 /// Tolerance without another one: twelve digits.
 const TOLERANCE: f64 = 1e-12;
 
-/// A conservative mechanism with one input, from its reduced inertia and the work of its forces as
-/// functions of the input.
+/// A conservative mechanism with one input, from a function of the input that returns its reduced
+/// inertia and the work of its forces.
 ///
 /// The speed follows from the energy: `J omega^2 / 2 = J_0 omega_0^2 / 2 + W - W_0`. The time is
 /// the integral of `1 / omega` over the input, by Gauss rules. Both have no error that grows with
 /// the number of turns. `W` is the negative potential energy, plus the work of constant moments.
+/// From rest the first digits of `W` cancel: [`force`](Self::force) avoids that.
 ///
 /// ```
 /// use linkage_dynamics::Conservative;
 ///
 /// // A pendulum of 1 kg and 1 m that falls from 90 degrees: a quarter of its period.
-/// let pendulum = Conservative::new(|_| 1.0, |phi: f64| 9.81 * phi.cos())
+/// let pendulum = Conservative::new(|phi: f64| [1.0, 9.81 * phi.cos()])
 ///     .start(std::f64::consts::FRAC_PI_2, 0.0);
 /// assert!((pendulum.speed(0.0) - (2.0 * 9.81_f64).sqrt()).abs() < 1e-14);
 /// let quarter = pendulum.time(0.0)?;
 /// assert!((quarter - 1.854_074_677_301_372 / 9.81_f64.sqrt()).abs() < 1e-12);
 /// # Ok::<(), linkage_dynamics::NoMotion>(())
 /// ```
-#[derive(Debug)]
-pub struct Conservative<J, W> {
-    inertia: J,
-    work: W,
+pub struct Conservative<'a, F> {
+    /// Inertia and work.
+    function: F,
+    force: Option<Box<dyn Fn(f64) -> f64 + 'a>>,
     start: f64,
     speed: f64,
     period: Option<f64>,
@@ -47,13 +51,14 @@ pub struct Conservative<J, W> {
     rules: [GaussLegendre; 2],
 }
 
-impl<J: Fn(f64) -> f64, W: Fn(f64) -> f64> Conservative<J, W> {
-    /// Creates a mechanism from its reduced inertia (moment times s^2) and its work (moment).
+impl<'a, F: Fn(f64) -> [f64; 2]> Conservative<'a, F> {
+    /// Creates a mechanism from its reduced inertia (moment times s^2) and its work (moment), which
+    /// the function returns in this order.
     #[must_use]
-    pub fn new(inertia: J, work: W) -> Self {
+    pub fn new(function: F) -> Self {
         Self {
-            inertia,
-            work,
+            function,
+            force: None,
             start: 0.0,
             speed: 0.0,
             period: None,
@@ -66,6 +71,13 @@ impl<J: Fn(f64) -> f64, W: Fn(f64) -> f64> Conservative<J, W> {
     #[must_use]
     pub fn start(mut self, input: f64, speed: f64) -> Self {
         (self.start, self.speed) = (input, speed);
+        self
+    }
+
+    /// Sets the generalised force, the slope of the work: for a start from rest with all digits.
+    #[must_use]
+    pub fn force(mut self, force: impl Fn(f64) -> f64 + 'a) -> Self {
+        self.force = Some(Box::new(force));
         self
     }
 
@@ -87,9 +99,10 @@ impl<J: Fn(f64) -> f64, W: Fn(f64) -> f64> Conservative<J, W> {
     /// Returns the size of the speed at an input; NaN where the energy does not reach.
     #[must_use]
     pub fn speed(&self, input: f64) -> f64 {
-        let first = 0.5 * (self.inertia)(self.start) * self.speed * self.speed;
-        let kinetic = first + (self.work)(input) - (self.work)(self.start);
-        (2.0 * kinetic / (self.inertia)(input)).sqrt()
+        let [inertia, work] = (self.function)(input);
+        let [first, before] = (self.function)(self.start);
+        let kinetic = 0.5 * first * self.speed * self.speed + work - before;
+        (2.0 * kinetic / inertia).sqrt()
     }
 
     /// Returns the time in s from the start until the mechanism first reaches an input.
@@ -162,7 +175,7 @@ impl<J: Fn(f64) -> f64, W: Fn(f64) -> f64> Conservative<J, W> {
             return Ok(self.speed.signum());
         }
         let near = LEAST_PANEL.sqrt() * PANEL;
-        let [less, more] = [-near, near].map(|step| (self.work)(self.start + step));
+        let [less, more] = [-near, near].map(|step| (self.function)(self.start + step)[1]);
         match more.partial_cmp(&less) {
             Some(std::cmp::Ordering::Greater) => Ok(1.0),
             Some(std::cmp::Ordering::Less) => Ok(-1.0),
@@ -173,15 +186,23 @@ impl<J: Fn(f64) -> f64, W: Fn(f64) -> f64> Conservative<J, W> {
     /// Returns the time of a panel that begins at a distance from the start, with a width that both
     /// rules agree on.
     fn panel(&self, sign: f64, done: f64, mut width: f64) -> Result<Panel, NoMotion> {
+        let mut before: Option<(Panel, f64)> = None;
         loop {
             let ends = [done, done + width];
             let [coarse, time] = [0, 1].map(|rule| self.over(sign, ends, rule));
-            let off = (coarse - time).abs();
-            if off <= self.tolerance * time {
-                let is_easy = off <= EASY * self.tolerance * time;
-                let next = if is_easy { 2.0 * width } else { width };
-                return Ok(Panel { time, width, next });
+            let off = (coarse - time).abs() / time;
+            let is_easy = off <= EASY * self.tolerance;
+            let next = if is_easy { 2.0 * width } else { width };
+            let panel = Panel { time, width, next };
+            if time.is_finite() && off <= self.tolerance {
+                return Ok(panel);
             }
+            if let Some((panel, _)) =
+                before.take_if(|(_, old)| *old < ROUNDING && off > GAIN * *old)
+            {
+                return Ok(panel);
+            }
+            before = time.is_finite().then_some((panel, off));
             width *= 0.5;
             if width < LEAST_PANEL * PANEL || done + width == done {
                 let input = self.start + sign * done;
@@ -193,13 +214,37 @@ impl<J: Fn(f64) -> f64, W: Fn(f64) -> f64> Conservative<J, W> {
     /// Returns the time between two distances from the start, by one of the rules. From rest the
     /// speed grows with the root of the distance: the integral is that over the root.
     fn over(&self, sign: f64, [from, to]: [f64; 2], rule: usize) -> f64 {
-        let slowness = |distance: f64| 1.0 / self.speed(self.start + sign * distance);
         let rule = &self.rules[rule];
-        if self.speed == 0.0 && from == 0.0 {
-            rule.integrate(0.0, to.sqrt(), |root| 2.0 * root * slowness(root * root))
-        } else {
-            rule.integrate(from, to, slowness)
+        if self.speed != 0.0 || from > 0.0 {
+            let [first, before] = (self.function)(self.start);
+            let level = 0.5 * first * self.speed * self.speed - before;
+            return rule.integrate(from, to, |distance| {
+                let [inertia, work] = (self.function)(self.start + sign * distance);
+                (0.5 * inertia / (level + work)).sqrt()
+            });
         }
+        let Some(force) = &self.force else {
+            let slowness = |distance: f64| 1.0 / self.speed(self.start + sign * distance);
+            return rule.integrate(0.0, to.sqrt(), |root| 2.0 * root * slowness(root * root));
+        };
+        rule.integrate(0.0, to.sqrt(), |root| {
+            let end = root * root;
+            let [inertia, _] = (self.function)(self.start + sign * end);
+            let force = |distance: f64| sign * force(self.start + sign * distance);
+            let kinetic = self.rules[0].integrate(0.0, end, force);
+            2.0 * root * (0.5 * inertia / kinetic).sqrt()
+        })
+    }
+}
+
+impl<F> fmt::Debug for Conservative<'_, F> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_struct("Conservative")
+            .field("start", &self.start)
+            .field("speed", &self.speed)
+            .field("period", &self.period)
+            .field("tolerance", &self.tolerance)
+            .finish_non_exhaustive()
     }
 }
 

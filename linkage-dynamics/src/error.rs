@@ -1,7 +1,8 @@
 //! Motions that end before their time, with the motion up to there.
 
-use crate::equations::Fault;
-use crate::motion::{Motion, State};
+use crate::computed_motion::Motion;
+use crate::equations_of_motion::Fault;
+use crate::state::State;
 use std::error::Error;
 use std::fmt;
 

@@ -1,6 +1,7 @@
 //! Events: states at which a function of the motion is zero, located on dense output.
 
-use crate::motion::{Occurrence, State};
+use crate::computed_motion::Occurrence;
+use crate::state::State;
 use crate::step::{NODES, Step};
 use linkage_core::numeric::bracket;
 use std::fmt;
@@ -123,12 +124,12 @@ pub(crate) fn zero<const N: usize>(
 }
 
 /// Events of a motion, with the last value of each that is not zero.
-pub(crate) struct Watch<'e, 'a, const N: usize> {
+pub(crate) struct EventSearch<'e, 'a, const N: usize> {
     events: &'e [Event<'a, N>],
     last: Vec<(f64, f64)>,
 }
 
-impl<'e, 'a, const N: usize> Watch<'e, 'a, N> {
+impl<'e, 'a, const N: usize> EventSearch<'e, 'a, N> {
     pub(crate) fn new(events: &'e [Event<'a, N>], start: &State<N>) -> Self {
         let values = events.iter().map(|event| (event.function)(start));
         let last = values.map(|value| (start.time, value)).collect();

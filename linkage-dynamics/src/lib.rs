@@ -3,20 +3,21 @@
 //! Users reach all items through the facade crate `linkage`, in its module `dynamics`.
 #![cfg_attr(docsrs, feature(doc_cfg))]
 
+mod computed_motion;
 mod dead_point;
 mod energy;
-mod equations;
+mod equations_of_motion;
 mod equilibrium;
 mod error;
 mod event;
 mod machine;
-mod motion;
+mod motion_problem;
 mod motor;
 mod observer;
 mod phase;
-mod problem;
 mod recorder;
 mod run_up;
+mod state;
 mod steady;
 mod step;
 mod stepper;
@@ -24,15 +25,16 @@ mod stepper;
 mod tests;
 mod turn;
 
+pub use computed_motion::{Ended, Motion, Occurrence};
 pub use energy::{Conservative, NoMotion};
-pub use equations::{Equations, Fault, FromAccelerations, FromReduced, Reduced};
+pub use equations_of_motion::{Equations, Fault, FromAccelerations, FromReduced, Reduced};
 pub use equilibrium::{Equilibrium, NaturalMode, equilibria, natural_modes};
 pub use error::{Cause, Interrupted};
 pub use event::Event;
 pub use machine::Machine;
-pub use motion::{Ended, Motion, Occurrence, State};
+pub use motion_problem::Problem;
 pub use motor::{Motor, MotorError};
-pub use problem::Problem;
 pub use run_up::{NotReached, RunUp, Stop, brake, run_up};
+pub use state::State;
 pub use steady::{Flywheel, NotSteady, SteadyState, flywheel, steady_state};
 pub use stepper::Method;

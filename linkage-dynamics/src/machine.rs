@@ -1,6 +1,6 @@
 //! A mechanism with one input, for the questions of machine builders.
 
-use crate::equations::Reduced;
+use crate::equations_of_motion::Reduced;
 use crate::stepper::{Method, Settings};
 use std::f64::consts::TAU;
 

@@ -1,19 +1,20 @@
 //! Recorder of a motion: steps, events and dead points in the order of time.
 
+use crate::computed_motion::{Ended, Motion};
 use crate::dead_point::{dead_point, dead_point_ahead};
-use crate::equations::Equations;
+use crate::equations_of_motion::Equations;
 use crate::error::Cause;
-use crate::event::{Event, Watch};
-use crate::motion::{Ended, Motion, State};
+use crate::event::{Event, EventSearch};
 use crate::observer::Receive;
 use crate::phase::Phase;
+use crate::state::State;
 use crate::step::Step;
 use crate::stepper::{Counts, Settings};
 
 /// A motion that grows by steps.
 pub(crate) struct Recorder<'e, 'a, E, const N: usize> {
     equations: &'e E,
-    watch: Watch<'e, 'a, N>,
+    search: EventSearch<'e, 'a, N>,
     settings: Settings,
     most_steps: usize,
     keeps_steps: bool,
@@ -35,7 +36,7 @@ impl<'e, 'a, E: Equations<N>, const N: usize> Recorder<'e, 'a, E, N> {
     ) -> Self {
         Self {
             equations,
-            watch: Watch::new(events, &motion.start),
+            search: EventSearch::new(events, &motion.start),
             settings,
             most_steps,
             keeps_steps,
@@ -46,11 +47,26 @@ impl<'e, 'a, E: Equations<N>, const N: usize> Recorder<'e, 'a, E, N> {
         }
     }
 
-    /// Returns the motion, and the cause of its end if that is not its time or an event.
-    pub(crate) fn into_motion(mut self, counts: Counts) -> (Motion<N>, Option<Cause<N>>) {
+    /// Returns the motion, and the cause of its end if that is not its time or an event. A motion
+    /// that has halted may be at a dead point.
+    pub(crate) fn into_motion(
+        mut self,
+        counts: Counts,
+        has_halted: bool,
+    ) -> (Motion<N>, Option<Cause<N>>) {
+        if has_halted && self.cause.is_none() {
+            self.cause = self.dead_point_ahead(0.0, true);
+        }
         self.motion.evaluations = counts.evaluations;
         self.motion.rejected = counts.rejected;
         (self.motion, self.cause)
+    }
+
+    /// Returns the dead point directly after the end, as a cause.
+    fn dead_point_ahead(&self, least: f64, is_last: bool) -> Option<Cause<N>> {
+        let end = &self.motion.end;
+        let found = dead_point_ahead(self.equations, end, &self.fastest, least, is_last);
+        found.map(|(state, input)| Cause::DeadPoint { state, input })
     }
 
     /// Looks for a dead point ahead of the end; returns true if there is none.
@@ -59,8 +75,7 @@ impl<'e, 'a, E: Equations<N>, const N: usize> Recorder<'e, 'a, E, N> {
         for (fastest, speed) in self.fastest.iter_mut().zip(end.speeds) {
             *fastest = fastest.max(speed.abs());
         }
-        let ahead = dead_point_ahead(self.equations, &end, &self.fastest);
-        self.cause = ahead.map(|(state, input)| Cause::DeadPoint { state, input });
+        self.cause = self.dead_point_ahead(self.settings.absolute, false);
         self.cause.is_none()
     }
 
@@ -91,7 +106,7 @@ impl<E: Equations<N>, const N: usize> Receive<N> for Recorder<'_, '_, E, N> {
         if let Some((time, _)) = dead {
             step = step.until(time);
         }
-        if let Some(stop) = self.watch.add(&step, &mut self.motion.occurrences) {
+        if let Some(stop) = self.search.add(&step, &mut self.motion.occurrences) {
             let step = step.until(stop.state.time);
             self.motion.append(step, self.keeps_steps);
             self.motion.ended = Ended::Event(stop.event);

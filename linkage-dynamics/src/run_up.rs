@@ -1,12 +1,12 @@
 //! Run-up of a machine with its motor, and braking to rest.
 
-use crate::equations::{FromReduced, Reduced};
+use crate::computed_motion::{Ended, Motion};
+use crate::equations_of_motion::{FromReduced, Reduced};
 use crate::error::Interrupted;
 use crate::event::Event;
 use crate::machine::Machine;
-use crate::motion::{Ended, Motion};
+use crate::motion_problem::Problem;
 use crate::motor::Motor;
-use crate::problem::Problem;
 use std::error::Error;
 use std::fmt;
 

@@ -1,7 +1,7 @@
 //! Periodic steady state of a machine: the speed that repeats itself after a turn, its unevenness,
 //! and the flywheel for a wished one.
 
-use crate::equations::Reduced;
+use crate::equations_of_motion::Reduced;
 use crate::event::zero;
 use crate::machine::Machine;
 use crate::step::{NODES, Step};

@@ -3,8 +3,8 @@
 //! Dense output of Dormand and Prince's method of order 8 has degree 7, that of Radau's method has
 //! degree 3. Eight values determine both, so that the polynomial does not depend on the integrator.
 
-use crate::motion::State;
 use crate::phase::Phase;
+use crate::state::State;
 
 /// One more than the highest degree of dense output.
 pub(crate) const NODES: usize = 8;

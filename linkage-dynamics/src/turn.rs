@@ -4,7 +4,7 @@
 //! `de/dphi = acceleration` and `dt/dphi = 1 / omega`. The end of a turn is then a position, and
 //! no event.
 
-use crate::equations::Reduced;
+use crate::equations_of_motion::Reduced;
 use crate::machine::Machine;
 use crate::observer::Receive;
 use crate::phase::{Phase, Rates};

@@ -30,7 +30,7 @@ fn slider_crank_by_quadrature() {
         .fold(problem, Problem::event)
         .until(0.5)
         .expect("a motion");
-    let energy = Conservative::new(|phi| slider_crank(phi)[0], |_| 0.0).start(0.3, 40.0);
+    let energy = Conservative::new(|phi| [slider_crank(phi)[0], 0.0]).start(0.3, 40.0);
     // By Simpson's rule with so many points that only rounding is left.
     let simpson = |to: f64| {
         let count = 4000;

@@ -1,10 +1,11 @@
 //! The builder of a motion: equations, start, accuracy, events.
 
-use crate::equations::{Equations, FromAccelerations, FromReduced, OverTime, Reduced};
+use crate::computed_motion::Motion;
+use crate::equations_of_motion::{Equations, FromAccelerations, FromReduced, OverTime, Reduced};
 use crate::error::{Cause, Interrupted};
 use crate::event::Event;
-use crate::motion::{Motion, State};
 use crate::recorder::Recorder;
+use crate::state::State;
 use crate::stepper::{self, Halt, Method, Settings};
 
 /// Tolerance without another one: eight digits.
@@ -170,7 +171,7 @@ impl<'a, const N: usize, E: Equations<N>> Problem<'a, N, E> {
         );
         let start = (self.start.time, self.start.phase());
         let (result, counts) = stepper::integrate(self.settings, &rates, start, end, &mut recorder);
-        let (motion, cause) = recorder.into_motion(counts);
+        let (motion, cause) = recorder.into_motion(counts, result.is_err());
         let halt = |halt| self.cause(motion.end, halt);
         match cause.or(result.err().map(halt)) {
             Some(cause) => Err(Interrupted::new(motion, cause)),

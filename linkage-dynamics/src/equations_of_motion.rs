@@ -31,6 +31,23 @@ impl Reduced<1> {
 }
 
 impl<const N: usize> Reduced<N> {
+    /// The equation from quantities of a mechanism: `inertia(phi)` in kg times the square of the
+    /// length unit, `bias(phi)` and `generalised_force(phi)` in N times the length unit. The unit is
+    /// given in metres: 1e-3 for `unit mm`.
+    #[must_use]
+    pub fn from_parts(
+        unit: f64,
+        inertia: [[f64; N]; N],
+        bias: [f64; N],
+        generalised_force: [f64; N],
+    ) -> Self {
+        Self {
+            // 1 kg*mm^2 is 0.001 N*mm*s^2.
+            inertia: inertia.map(|row| row.map(|entry| unit * entry)),
+            force: std::array::from_fn(|i| generalised_force[i] - bias[i]),
+        }
+    }
+
     /// Returns the accelerations, by Cholesky's factorisation; NaN if the mass matrix is not
     /// positive definite.
     #[must_use]
@@ -161,6 +178,13 @@ mod tests {
             assert!((product - force).abs() < 1e-14, "{product} {force}");
         }
         assert_eq!(Reduced::one(2.0, 3.0).accelerations(), [1.5]);
+    }
+
+    /// 3000 kg*mm^2 and 60 N*mm are 0.003 kg*m^2 and 0.06 N*m: 20 rad/s^2.
+    #[test]
+    fn parts_in_millimetres() {
+        let equation = Reduced::from_parts(1e-3, [[3000.0]], [10.0], [70.0]);
+        assert!((equation.accelerations()[0] - 20.0).abs() < 1e-13);
     }
 
     #[test]

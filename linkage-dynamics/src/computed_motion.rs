@@ -1,40 +1,13 @@
 //! A motion that has been computed: its steps with dense output, its events, its end.
 
-use crate::phase::Phase;
+use crate::state::State;
 use crate::step::Step;
 use gauss_quad::GaussLegendre;
+use std::fmt;
 use std::num::NonZeroUsize;
 
 /// Points of a Gauss rule over one step: exact for products of two polynomials of a step.
 const QUADRATURE: NonZeroUsize = NonZeroUsize::new(8).unwrap();
-
-/// Inputs and speeds at a time.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct State<const N: usize> {
-    /// Time, s.
-    pub time: f64,
-    /// Inputs, rad or the length unit.
-    pub inputs: [f64; N],
-    /// Speeds of the inputs per second.
-    pub speeds: [f64; N],
-}
-
-impl<const N: usize> State<N> {
-    pub(crate) const fn new(time: f64, phase: Phase<N>) -> Self {
-        Self {
-            time,
-            inputs: phase.inputs,
-            speeds: phase.speeds,
-        }
-    }
-
-    pub(crate) const fn phase(&self) -> Phase<N> {
-        Phase {
-            inputs: self.inputs,
-            speeds: self.speeds,
-        }
-    }
-}
 
 /// An event that occurred.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -56,7 +29,7 @@ pub enum Ended {
 }
 
 /// A motion over an interval of time.
-#[derive(Clone, Debug)]
+#[derive(Clone)]
 pub struct Motion<const N: usize> {
     pub(crate) start: State<N>,
     pub(crate) end: State<N>,
@@ -66,6 +39,19 @@ pub struct Motion<const N: usize> {
     pub(crate) accepted: usize,
     pub(crate) rejected: usize,
     pub(crate) evaluations: usize,
+}
+
+/// Prints no steps, which may be thousands.
+impl<const N: usize> fmt::Debug for Motion<N> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_struct("Motion")
+            .field("start", &self.start)
+            .field("end", &self.end)
+            .field("ended", &self.ended)
+            .field("occurrences", &self.occurrences)
+            .field("steps", &self.accepted)
+            .finish_non_exhaustive()
+    }
 }
 
 impl<const N: usize> Motion<N> {
