@@ -1,6 +1,11 @@
 //! The motion of mechanisms under forces: integration in time, events, steady state, motors.
 //!
-//! Users reach all items through the facade crate `linkage`, in its module `dynamics`.
+//! Users reach all items through the facade crate `linkage`, in its module `dynamics`. Its page has
+//! the questions, the methods, and the comparison of integrators.
+//!
+//! [`Problem`] integrates equations of motion over time and records a [`Motion`], with each
+//! [`Event`]. Functions of a [`Machine`], which has one input, integrate over the input instead
+//! ([`steady_state`], [`flywheel`]). [`Conservative`] needs no integrator.
 #![cfg_attr(docsrs, feature(doc_cfg))]
 
 mod computed_motion;
