@@ -1,11 +1,8 @@
 //! Andrews' squeezing mechanism: its equation of motion against published numbers.
 
-#[path = "double_double/number.rs"]
-mod number;
-
 use crate::check::Check;
+use crate::double_double::number::DoubleDouble;
 use linkage::Scalar;
-use number::DoubleDouble;
 use std::error::Error;
 use std::f64::consts::TAU;
 use std::str::FromStr;
