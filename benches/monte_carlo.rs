@@ -31,6 +31,11 @@ mechanism! {
 /// The position.
 const PHI: f64 = 1.2;
 
+/// Limits: processor time of a mechanism in nanoseconds, memory in MB, error of a percentile in deviations.
+const TIME: f64 = 20.0;
+const MEMORY: u64 = 64;
+const PERCENTILE: f64 = 1e-4;
+
 fn main() {
     // As a test, once and short.
     let is_tested = std::env::args().any(|argument| argument == "--test");
@@ -40,9 +45,13 @@ fn main() {
         (20_000_000, 5)
     };
     println!("{count} mechanisms, five normal dimensions, one position");
-    row("stream", count, repeats, |count| drop(study(count)));
+    let time = row("stream", count, repeats, |count| drop(study(count)));
+    let met = compared(time <= TIME);
+    println!("{:<28} {TIME:6.1} ns of processor time each{met}", "limit");
     row("drawn and evaluated alone", count, repeats, evaluated);
-    println!("memory: {} MB at most", peak());
+    let memory = peak();
+    let met = compared(memory <= MEMORY);
+    println!("memory: {memory} MB at most, for any number of mechanisms; limit {MEMORY} MB{met}");
     row("all values, sorted", count / 10, repeats, |count| {
         drop(kept(count))
     });
@@ -83,7 +92,8 @@ fn kept(count: usize) -> linkage::tolerance::Samples<5, 1> {
     results.expect("there are mechanisms")
 }
 
-fn row(name: &str, count: usize, repeats: usize, work: impl Fn(usize)) {
+/// Prints the least times of some runs. Returns the processor time of a mechanism in nanoseconds.
+fn row(name: &str, count: usize, repeats: usize, work: impl Fn(usize)) -> f64 {
     let times = (0..repeats).map(|_| {
         let (wall, processor) = (Instant::now(), processor_time());
         work(count);
@@ -96,6 +106,11 @@ fn row(name: &str, count: usize, repeats: usize, work: impl Fn(usize)) {
         each(processor),
         each(wall)
     );
+    each(processor)
+}
+
+fn compared(is_met: bool) -> &'static str {
+    if is_met { ", met" } else { "" }
 }
 
 /// The largest difference of two percentiles from those of all values, in deviations.
@@ -108,10 +123,11 @@ fn percentiles(count: usize) {
             stream.percentile(0, part, 0.95),
             samples.percentile(0, part, 0.95),
         ];
+        let error = (found.value - known.value).abs() / deviation;
         println!(
-            "percentile {:7.3}: {:.1e} deviations from that of all values",
+            "percentile {:7.3}: {error:.1e} deviations from that of all values, limit {PERCENTILE:.0e}{}",
             100.0 * part,
-            (found.value - known.value).abs() / deviation
+            compared(error <= PERCENTILE)
         );
     }
 }

@@ -69,10 +69,14 @@ function columnsOf(own, fn, given) {
   const count = lists.length === 0 ? 1 : Math.min(...lists.map((list) => list.length));
   const columns = fn.columns.map(() => new Float64Array(count));
   const out = new Float64Array(fn.columns.length);
+  // Arguments that are the same at all positions stay. Nothing is allocated for a position.
+  const values = given.map((argument) => (typeof argument === "number" ? argument : NaN));
   for (let row = 0; row < count; row += 1) {
-    const values = given.map((argument) => (typeof argument === "number" ? argument : argument[row]));
+    for (let k = 0; k < given.length; k += 1) {
+      if (typeof given[k] !== "number") values[k] = given[k][row];
+    }
     evaluate(own, fn, values, out);
-    columns.forEach((column, k) => (column[row] = out[k]));
+    for (let k = 0; k < columns.length; k += 1) columns[k][row] = out[k];
   }
   return columns;
 }

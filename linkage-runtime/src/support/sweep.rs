@@ -2,6 +2,7 @@
 
 mod arguments;
 mod blocks;
+mod destination;
 mod extended;
 mod fill;
 #[cfg(any(feature = "std", feature = "libm"))]

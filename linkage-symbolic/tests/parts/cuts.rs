@@ -6,14 +6,32 @@ use linkage_random::Random;
 use linkage_symbolic::passes::stages::{Stage, split};
 use linkage_symbolic::program::{Binary, Instruction, Program, Source, Unary, Value};
 
-/// What stages cost, in operations: what of one is beyond that counts by its square, each value that it takes or keeps and itself.
+/// What stages cost, in operations: what of one is beyond that counts by its square, or all of it in proportion if its chain is longer than that;
+/// each value that it takes or keeps, and itself.
 const SIZE: u32 = 64;
+const CHAIN: u32 = 66;
+const SINES: u32 = 60;
 const ACCESS: u32 = 1;
 const LOOP: u32 = 8;
 
-fn cost(size: u32, accesses: usize) -> u32 {
+fn cost(size: u32, chain: u32, accesses: usize) -> u32 {
     let excess = size.saturating_sub(SIZE);
-    LOOP + ACCESS * accesses as u32 + excess * excess / SIZE
+    let waiting = size * chain.saturating_sub(CHAIN) / CHAIN;
+    LOOP + ACCESS * accesses as u32 + (excess * excess / SIZE).max(waiting)
+}
+
+/// Cycles of the longest chain of operations within a range.
+fn chain(instructions: &[Instruction], range: Range<usize>) -> u32 {
+    let mut ends = vec![0; range.end];
+    for k in range {
+        let begin = instructions[k].operands().map(|value| ends[value.0]).max();
+        let latency = match instructions[k] {
+            Instruction::SinCos(_) => SINES,
+            other => other.latency(),
+        };
+        ends[k] = begin.unwrap_or(0) + latency;
+    }
+    ends.into_iter().max().unwrap_or(0)
 }
 
 fn size(instructions: &[Instruction]) -> u32 {
@@ -64,7 +82,8 @@ fn least(program: &Program) -> u32 {
     let one = |range: Range<usize>| {
         let taken = passed(program, 0..range.start, range.clone());
         let kept = passed(program, range.clone(), range.end..count);
-        cost(size(&program.instructions[range]), taken + kept)
+        let chain = chain(&program.instructions, range.clone());
+        cost(size(&program.instructions[range]), chain, taken + kept)
     };
     let choices = 0..1_u32 << places.len();
     let of = |choice: u32| {
@@ -81,8 +100,10 @@ fn least(program: &Program) -> u32 {
 
 fn found(stages: &[Stage]) -> u32 {
     let one = |own: &Stage| {
+        let instructions = &own.program.instructions;
         cost(
-            size(&own.program.instructions),
+            size(instructions),
+            chain(instructions, 0..instructions.len()),
             own.taken.len() + own.kept.len(),
         )
     };

@@ -37,6 +37,8 @@ pub struct Loops {
     pub divisions: usize,
     /// Square roots in one pass of the loops.
     pub roots: usize,
+    /// Conditional jumps in loops.
+    pub jumps: usize,
     /// Fused multiply-adds, outside of loops too.
     pub fused: usize,
     /// Calls in loops: names of the functions.
@@ -136,6 +138,8 @@ impl Function {
         for place in self.looping() {
             loops.looping += 1;
             let instruction = &self.instructions[place];
+            let is_jump = instruction.flow_control() == FlowControl::ConditionalBranch;
+            loops.jumps += usize::from(is_jump);
             if let Some(&called) = self.called.get(&place) {
                 let name = symbols::at(called).map_or("?", |symbol| &symbol.name);
                 loops.calls.push(name.to_owned());

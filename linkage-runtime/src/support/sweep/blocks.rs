@@ -8,17 +8,6 @@ pub(super) fn rows<T, const W: usize>(columns: &[&mut [T]; W]) -> usize {
     columns.first().map_or(0, |column| column.len())
 }
 
-/// Writes lanes into a column from `row` on.
-#[inline(always)]
-pub(super) fn put<T: Copy, const V: usize>(column: &mut [T], row: usize, lanes: &[T; V]) {
-    if let Some(vector) = column
-        .get_mut(row..)
-        .and_then(|rest| rest.first_chunk_mut())
-    {
-        *vector = *lanes;
-    }
-}
-
 /// The number of vectors of `V` rows in the next block, if `left` of `count` rows remain: at least
 /// one, and at most `B` rows. The last block may repeat rows that are done already.
 #[inline(always)]

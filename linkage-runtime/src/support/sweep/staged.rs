@@ -6,7 +6,8 @@ use core::marker::PhantomData;
 use linkage_core::Scalar;
 
 use super::arguments::Arguments;
-use super::blocks::{next_vectors, put, rows};
+use super::blocks::next_vectors;
+use super::destination::Destination;
 use super::kernel::Kernel;
 use crate::support::assembling::{Compiled, CoreOf, RevolutionsOf};
 use crate::support::assembly_data::Core;
@@ -133,7 +134,7 @@ fn over_blocks<
     mut cores: S,
     arguments: &impl Arguments<T, R>,
     first: usize,
-    mut columns: [&mut [T]; W],
+    columns: [&mut [T]; W],
 ) where
     T: Scalar,
     C: Copy,
@@ -147,7 +148,8 @@ fn over_blocks<
     let mut x = Block::<T, B, R>::filled(zero);
     let mut memory = F::Memory::<B>::filled(zero);
     let mut finished = Block::<T, V, W>::filled(zero);
-    let count = rows(&columns);
+    let mut columns = Destination::new(columns);
+    let count = columns.rows();
     let mut done = 0;
     while done < count {
         let vectors = next_vectors::<V, B>(count - done, count);
@@ -296,7 +298,7 @@ struct BlockStages<
     x: &'a Block<T, B, R>,
     memory: &'a mut M,
     finished: &'a mut Block<T, V, W>,
-    columns: &'a mut [&'c mut [T]; W],
+    columns: &'a mut Destination<'c, T, W>,
     /// The number of vectors in the block.
     vectors: usize,
     /// The row of the columns at which the block begins.
@@ -409,13 +411,13 @@ where
 /// The finished results of `V` rows, and the columns from `row` on that they belong into.
 struct FinishedVector<'a, 'c, T, const V: usize, const W: usize> {
     finished: &'a Block<T, V, W>,
-    columns: &'a mut [&'c mut [T]; W],
+    columns: &'a mut Destination<'c, T, W>,
     row: usize,
 }
 
 impl<T: Copy, const V: usize, const W: usize> FinishedRows for FinishedVector<'_, '_, T, V, W> {
     #[inline(always)]
     fn write(&mut self, k: usize) {
-        put(self.columns[k], self.row, &self.finished.0[k]);
+        self.columns.put(k, self.row, &self.finished.0[k]);
     }
 }

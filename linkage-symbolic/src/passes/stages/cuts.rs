@@ -3,12 +3,19 @@
 use crate::program::{Instruction, Program};
 
 /// Operations that a stage may have without cost, about the window of a processor for two
-/// positions.
+/// positions. Those beyond cost their square: they need more registers than there are.
 const SIZE: usize = 64;
 
 /// Costs in operations: of a store or a load of a value that stages pass on, and of a loop.
 const ACCESS: usize = 1;
 const LOOP: usize = 8;
+
+/// Cycles of the longest chain of operations that neighbouring positions hide. With a longer one,
+/// all operations of a stage wait in proportion.
+const CHAIN: usize = 66;
+
+/// Cycles of a sine pair in rows, which polynomials compute.
+const SINES: usize = 60;
 
 /// Returns the ends of the cheapest stages. Free instructions are first in `program`.
 pub(super) fn ends(program: &Program, last_uses: &[usize]) -> Vec<usize> {
@@ -65,11 +72,18 @@ struct Last<'a> {
     taken: usize,
     /// The number of its values that later stages need.
     kept: usize,
+    /// The longest chain of operations after each operation, in cycles, with the end for which it
+    /// was last found.
+    chains: Vec<(usize, usize)>,
+    /// The longest chain of operations of the stage.
+    chain: usize,
 }
 
 /// An instruction, as stages count it.
 struct Operation {
     size: usize,
+    /// Cycles from its operands to its result.
+    latency: usize,
     /// Operands that are not free.
     operands: Vec<usize>,
 }
@@ -80,6 +94,10 @@ impl<'a> Last<'a> {
             let operands = instruction.operands().map(|operand| operand.0);
             Operation {
                 size: instruction.size() as usize,
+                latency: match instruction {
+                    Instruction::SinCos(_) => SINES,
+                    _ => instruction.latency() as usize,
+                },
                 operands: operands.filter(|&value| value >= free).collect(),
             }
         };
@@ -91,6 +109,8 @@ impl<'a> Last<'a> {
             used: vec![0; program.instructions.len()],
             taken: 0,
             kept: 0,
+            chains: vec![(0, 0); program.instructions.len()],
+            chain: 0,
         }
     }
 
@@ -100,6 +120,7 @@ impl<'a> Last<'a> {
         self.size = 0;
         self.taken = 0;
         self.kept = 0;
+        self.chain = 0;
     }
 
     /// Adds the instruction before the present begin.
@@ -108,7 +129,15 @@ impl<'a> Last<'a> {
         self.size += operation.size;
         self.kept += usize::from(self.last_uses[start] >= self.end);
         self.taken -= usize::from(self.used[start] == self.end);
+        let end = self.end;
+        let after = |chains: &[(usize, usize)], value: usize| match chains[value] {
+            (found, chain) if found == end => chain,
+            _ => 0,
+        };
+        let chain = after(&self.chains, start) + operation.latency;
+        self.chain = self.chain.max(chain);
         for &value in &operation.operands {
+            self.chains[value] = (end, after(&self.chains, value).max(chain));
             if self.used[value] != self.end {
                 self.used[value] = self.end;
                 self.taken += 1;
@@ -118,7 +147,8 @@ impl<'a> Last<'a> {
 
     fn cost(&self) -> usize {
         let excess = self.size.saturating_sub(SIZE);
-        ACCESS * (self.taken + self.kept) + LOOP + excess * excess / SIZE
+        let waiting = self.size * self.chain.saturating_sub(CHAIN) / CHAIN;
+        ACCESS * (self.taken + self.kept) + LOOP + (excess * excess / SIZE).max(waiting)
     }
 }
 
