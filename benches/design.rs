@@ -1,6 +1,6 @@
 //! Searches of dimensions: `cargo bench -p linkage-benches --bench design`.
 //!
-//! The five path problems of the program `four_bar_paths`, on one thread: all together, with the least sum of each of 20 seeds
+//! The five path problems of the program `four_bar_paths`, on one thread and on two: all together, with the least sum of each of 20 seeds
 //! against the least one known; then residuals with their derivatives a second, in lanes over mechanisms.
 
 mod mechanism {
@@ -25,14 +25,18 @@ const SEEDS: u64 = 20;
 const ZERO: f64 = 1e-24;
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
-    let one = rayon::ThreadPoolBuilder::new().num_threads(1).build()?;
-    one.install(searches);
+    for threads in [1, 2] {
+        let pool = rayon::ThreadPoolBuilder::new()
+            .num_threads(threads)
+            .build()?;
+        pool.install(|| searches(threads));
+    }
     residuals()?;
     Ok(())
 }
 
 /// Every problem from every seed, and the time of all problems for each seed.
-fn searches() {
+fn searches(threads: usize) {
     let seeds = if only_tested() { 1 } else { SEEDS };
     let problems = problems();
     let mut totals = vec![0.0; seeds as usize];
@@ -63,7 +67,9 @@ fn searches() {
     totals.sort_by(f64::total_cmp);
     let (least, most) = (totals[0], totals[totals.len() - 1]);
     let median = totals[totals.len() / 2];
-    println!("all five on one thread: {median:.3} s ({least:.3} to {most:.3}) over {seeds} seeds");
+    println!(
+        "all five, threads: {threads}: {median:.3} s ({least:.3} to {most:.3}) over {seeds} seeds\n"
+    );
 }
 
 /// The least sum from a seed, and how many mechanisms were evaluated.

@@ -118,27 +118,23 @@ impl Limits {
     }
 
     /// The limits as faces for a step from `x`: bounds first, of which it gives the number, then
-    /// relations.
+    /// relations. The memory of faces that are there is used again.
     pub(crate) fn faces(&self, x: &[f64], faces: &mut Vec<Face>) -> usize {
-        faces.clear();
+        let mut count = 0;
         for (j, x) in x.iter().enumerate() {
             let sides = [(1.0, x - self.lower[j]), (-1.0, self.upper[j] - x)];
             for (a, slack) in sides.into_iter().filter(|(_, slack)| slack.is_finite()) {
-                faces.push(Face {
-                    normal: vec![(j, a)],
-                    slack,
-                    equality: false,
-                });
+                put_face(faces, count, [(j, a)], slack, false);
+                count += 1;
             }
         }
-        let bounds = faces.len();
+        let bounds = count;
         for relation in &self.relations {
-            faces.push(Face {
-                normal: relation.terms.iter().map(|&(j, a)| (j, -a)).collect(),
-                slack: relation.slack(x),
-                equality: relation.equality,
-            });
+            let normal = relation.terms.iter().map(|&(j, a)| (j, -a));
+            put_face(faces, count, normal, relation.slack(x), relation.equality);
+            count += 1;
         }
+        faces.truncate(count);
         bounds
     }
 
@@ -185,5 +181,28 @@ impl Limits {
         near.iter_mut().zip(&program.d).for_each(|(x, d)| *x += d);
         self.clamp(&mut near);
         self.hold(&near).then_some(near)
+    }
+}
+
+/// Changes the face with this number, in its memory, or adds it after the others.
+pub(crate) fn put_face(
+    faces: &mut Vec<Face>,
+    number: usize,
+    normal: impl IntoIterator<Item = (usize, f64)>,
+    slack: f64,
+    equality: bool,
+) {
+    match faces.get_mut(number) {
+        Some(face) => {
+            face.normal.clear();
+            face.normal.extend(normal);
+            face.slack = slack;
+            face.equality = equality;
+        }
+        None => faces.push(Face {
+            normal: normal.into_iter().collect(),
+            slack,
+            equality,
+        }),
     }
 }

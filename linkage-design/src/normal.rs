@@ -39,10 +39,17 @@ impl Normal {
     pub(crate) fn add(&mut self, residual: f64, places: &[usize], slopes: &[f64]) {
         let n = self.gradient.len();
         self.sum += residual * residual;
+        // The first variables one after the other, as most residuals have them, are added in lanes.
+        let pairs = places.iter().enumerate();
+        let first = pairs.take_while(|(i, variable)| i == *variable).count();
         for (i, (&row, &slope)) in places.iter().zip(slopes).enumerate() {
             self.gradient[row] += slope * residual;
             let line = &mut self.gram[row * n..row * n + n];
-            for (&column, &other) in places[..=i].iter().zip(slopes) {
+            let before = first.min(i + 1);
+            for (sum, other) in line.iter_mut().zip(&slopes[..before]) {
+                *sum += slope * other;
+            }
+            for (&column, &other) in places[before..=i].iter().zip(&slopes[before..]) {
                 line[column] += slope * other;
             }
         }

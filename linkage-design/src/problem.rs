@@ -262,14 +262,14 @@ impl<'a, M: DimensionSet<N> + Copy, A, const N: usize> Evaluator<'a, M, A, N> {
         for (index, (_, rows)) in self.objectives.iter().enumerate() {
             let inputs = self.problem.inputs(index);
             let condition = self.problem.objectives[index].is_condition();
+            self.places.clear();
+            self.places.extend(0..varied.len());
             for row in 0..rows.count() {
                 let (value, parameters, free) = rows.row(start, row);
-                self.places.clear();
                 self.slopes.clear();
-                for (j, &parameter) in varied.iter().enumerate() {
-                    self.places.push(j);
-                    self.slopes.push(parameters[parameter]);
-                }
+                let slopes = varied.iter().map(|&parameter| parameters[parameter]);
+                self.slopes.extend(slopes);
+                self.places.truncate(varied.len());
                 for (j, &slope) in inputs.clone().zip(free).filter(|(_, slope)| **slope != 0.0) {
                     self.places.push(j);
                     self.slopes.push(slope);

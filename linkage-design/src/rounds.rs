@@ -8,6 +8,7 @@ use std::vec::Vec;
 #[cfg(feature = "rayon")]
 use rayon::prelude::*;
 
+use super::parallel::threads;
 use super::settings::{Progress, Report};
 
 /// The duration of a round of blocks, after which the progress is reported.
@@ -29,7 +30,9 @@ pub(crate) fn in_rounds<B: Send>(
     let starts = |blocks: &[Range<usize>]| blocks.iter().map(ExactSizeIterator::len).sum();
     let (count, total) = (all.len(), starts(all));
     let (mut blocks, mut lowest) = (Vec::new(), f64::INFINITY);
-    let mut round = 1;
+    // A round of fewer blocks than threads would leave some of them idle.
+    let least_round = threads();
+    let mut round = least_round;
     while blocks.len() < count {
         if ended(blocks.len()) {
             return (blocks, true);
@@ -46,7 +49,7 @@ pub(crate) fn in_rounds<B: Send>(
         let taken = started.elapsed();
         round = if taken < ROUND / 2 { 2 * round } else { round };
         round = if taken > ROUND * 2 {
-            (round / 2).max(1)
+            (round / 2).max(least_round)
         } else {
             round
         };

@@ -753,10 +753,11 @@ const _: () = {
     impl<T: __p::Scalar> __p::Staged<T, __SliderCrankCore<T>, 1, 3>
     for __SliderCrank_stroke_stages {
         const WIDE: __p::bool = !::core::cfg!(debug_assertions);
-        type Memory<const __BLOCK: __p::usize> = __p::Block<T, __BLOCK, 0>;
+        type Memory<const __BLOCK: __p::usize> = __p::Block<T, __BLOCK, 2>;
         #[inline(always)]
         fn run(__stages: &mut impl __p::RunStages<T, __SliderCrankCore<T>, Self>) {
             __stages.stage::<0>();
+            __stages.stage::<1>();
         }
     }
     impl<T: __p::Scalar> __p::Stage<T, __SliderCrankCore<T>, 0>
@@ -772,35 +773,54 @@ const _: () = {
             let (__v1, __v2) = T::sin_cos_shortest::<__FUSED, __ROWS>(__v0);
             let __v3 = __m.crank;
             let __v4 = __v3 * __v2;
-            let __v5 = __v3 * __v1;
-            let __v6 = __m.offset;
-            let __v7 = T::mul_add::<__FUSED>(-__v3, __v1, __v6);
-            let __v8 = __prepared[1];
-            let __v9 = __v8 - __v7;
-            let __v10 = __v8 + __v7;
-            let __v11 = __v9 * __v10;
-            let __v12 = T::abs(__v4);
-            let __v13 = __v12 + __v8;
-            let __v14 = __prepared[2];
-            let __v15 = T::root_with::<__FUSED>(__v11, __v14, __v13);
-            let __v16 = __prepared[0];
-            let __v17 = __v16 * __v15;
-            let __v18 = T::mul_add::<__FUSED>(-__v16, __v15, __v4);
-            let __v19 = T::select(__v15, __v7, __v15);
-            let __v20 = __prepared[3];
-            let __v21 = T::quotient_with::<__FUSED>(__v20, __v15);
-            let __v22 = __v4 * __v21;
-            let __v23 = __v19 * __v22;
-            let __v24 = T::mul_add::<__FUSED>(__v19, __v22, -__v5);
-            let __v25 = T::mul_add::<__FUSED>(__v22, __v23, __v5);
-            let __v26 = __v21 * __v25;
-            let __v27 = __v17 * __v22;
-            let __v28 = T::mul_add::<__FUSED>(-__v22, __v27, __v4);
-            let __v29 = T::mul_add::<__FUSED>(__v19, __v26, __v28);
-            let __v30 = -__v29;
-            __row.finish(0, __v18);
-            __row.finish(1, __v24);
-            __row.finish(2, __v30);
+            __row.keep(0, __v1);
+            __row.keep(1, __v4);
+        }
+        #[inline(always)]
+        fn write(__rows: &mut impl __p::FinishedRows) {}
+    }
+    impl<T: __p::Scalar> __p::Stage<T, __SliderCrankCore<T>, 1>
+    for __SliderCrank_stroke_stages {
+        #[inline(always)]
+        fn row<const __FUSED: __p::bool, const __ROWS: __p::bool>(
+            __core: &__SliderCrankCore<T>,
+            __row: &mut impl __p::StageRow<T>,
+        ) {
+            let (__m, __modes, __prepared) = __core.loaded();
+            let __carried0 = __row.kept(0);
+            let __carried1 = __row.kept(1);
+            let __v0 = __m.crank;
+            let __v1 = __carried0;
+            let __v2 = __v0 * __v1;
+            let __v3 = __m.offset;
+            let __v4 = T::mul_add::<__FUSED>(-__v0, __v1, __v3);
+            let __v5 = __prepared[1];
+            let __v6 = __v5 - __v4;
+            let __v7 = __v5 + __v4;
+            let __v8 = __v6 * __v7;
+            let __v9 = __carried1;
+            let __v10 = T::abs(__v9);
+            let __v11 = __v10 + __v5;
+            let __v12 = __prepared[2];
+            let __v13 = T::root_with::<__FUSED>(__v8, __v12, __v11);
+            let __v14 = __prepared[0];
+            let __v15 = __v14 * __v13;
+            let __v16 = T::mul_add::<__FUSED>(-__v14, __v13, __v9);
+            let __v17 = T::select(__v13, __v4, __v13);
+            let __v18 = __prepared[3];
+            let __v19 = T::quotient_with::<__FUSED>(__v18, __v13);
+            let __v20 = __v9 * __v19;
+            let __v21 = __v17 * __v20;
+            let __v22 = T::mul_add::<__FUSED>(__v17, __v20, -__v2);
+            let __v23 = T::mul_add::<__FUSED>(__v20, __v21, __v2);
+            let __v24 = __v19 * __v23;
+            let __v25 = __v15 * __v20;
+            let __v26 = T::mul_add::<__FUSED>(-__v20, __v25, __v9);
+            let __v27 = T::mul_add::<__FUSED>(__v17, __v24, __v26);
+            let __v28 = -__v27;
+            __row.finish(0, __v16);
+            __row.finish(1, __v22);
+            __row.finish(2, __v28);
         }
         #[inline(always)]
         fn write(__rows: &mut impl __p::FinishedRows) {
@@ -964,10 +984,11 @@ const _: () = {
     impl<T: __p::Scalar> __p::Staged<T, __SliderCrankCore<T>, 1, 5>
     for __SliderCrank_accuracy_stages {
         const WIDE: __p::bool = !::core::cfg!(debug_assertions);
-        type Memory<const __BLOCK: __p::usize> = __p::Block<T, __BLOCK, 0>;
+        type Memory<const __BLOCK: __p::usize> = __p::Block<T, __BLOCK, 2>;
         #[inline(always)]
         fn run(__stages: &mut impl __p::RunStages<T, __SliderCrankCore<T>, Self>) {
             __stages.stage::<0>();
+            __stages.stage::<1>();
         }
     }
     impl<T: __p::Scalar> __p::Stage<T, __SliderCrankCore<T>, 0>
@@ -981,42 +1002,60 @@ const _: () = {
             let __input0 = __row.number(0);
             let __v0 = __input0;
             let (__v1, __v2) = T::sin_cos_shortest::<__FUSED, __ROWS>(__v0);
-            let __v3 = __m.crank;
-            let __v4 = __v3 * __v2;
-            let __v5 = __m.offset;
-            let __v6 = T::mul_add::<__FUSED>(-__v3, __v1, __v5);
-            let __v7 = __prepared[1];
-            let __v8 = __v7 - __v6;
-            let __v9 = __v7 + __v6;
-            let __v10 = __v8 * __v9;
-            let __v11 = T::abs(__v4);
-            let __v12 = __v11 + __v7;
-            let __v13 = __prepared[2];
-            let __v14 = T::root_with::<__FUSED>(__v10, __v13, __v12);
-            let __v15 = __prepared[0];
-            let __v16 = T::mul_add::<__FUSED>(-__v15, __v14, __v4);
-            let __v17 = T::select(__v14, __v6, __v14);
-            let __v18 = __prepared[3];
-            let __v19 = T::quotient_with::<__FUSED>(__v18, __v14);
-            let __v20 = __v1 * __v19;
-            let __v21 = T::mul_add::<__FUSED>(__v17, __v20, __v2);
-            let __v22 = __prepared[4];
-            let __v23 = __v22 * __v17;
-            let __v24 = __v23 * __v19;
-            let __v25 = __prepared[5];
-            let __v26 = __v25 * __v14;
-            let __v27 = T::mul_add::<__FUSED>(__v17, __v24, -__v26);
-            let __v28 = __v17 * __v19;
-            let __v29 = -__v28;
-            let __v30 = __prepared[6];
-            let __v31 = __v30 * __v14;
-            let __v32 = T::from_f64(1.0f64);
-            let __v33 = T::min(__v32, __v31);
-            __row.finish(0, __v16);
-            __row.finish(1, __v21);
-            __row.finish(2, __v27);
-            __row.finish(3, __v29);
-            __row.finish(4, __v33);
+            __row.keep(0, __v1);
+            __row.keep(1, __v2);
+        }
+        #[inline(always)]
+        fn write(__rows: &mut impl __p::FinishedRows) {}
+    }
+    impl<T: __p::Scalar> __p::Stage<T, __SliderCrankCore<T>, 1>
+    for __SliderCrank_accuracy_stages {
+        #[inline(always)]
+        fn row<const __FUSED: __p::bool, const __ROWS: __p::bool>(
+            __core: &__SliderCrankCore<T>,
+            __row: &mut impl __p::StageRow<T>,
+        ) {
+            let (__m, __modes, __prepared) = __core.loaded();
+            let __carried0 = __row.kept(1);
+            let __carried1 = __row.kept(0);
+            let __v0 = __m.crank;
+            let __v1 = __carried0;
+            let __v2 = __v0 * __v1;
+            let __v3 = __carried1;
+            let __v4 = __m.offset;
+            let __v5 = T::mul_add::<__FUSED>(-__v0, __v3, __v4);
+            let __v6 = __prepared[1];
+            let __v7 = __v6 - __v5;
+            let __v8 = __v6 + __v5;
+            let __v9 = __v7 * __v8;
+            let __v10 = T::abs(__v2);
+            let __v11 = __v10 + __v6;
+            let __v12 = __prepared[2];
+            let __v13 = T::root_with::<__FUSED>(__v9, __v12, __v11);
+            let __v14 = __prepared[0];
+            let __v15 = T::mul_add::<__FUSED>(-__v14, __v13, __v2);
+            let __v16 = T::select(__v13, __v5, __v13);
+            let __v17 = __prepared[3];
+            let __v18 = T::quotient_with::<__FUSED>(__v17, __v13);
+            let __v19 = __v3 * __v18;
+            let __v20 = T::mul_add::<__FUSED>(__v16, __v19, __v1);
+            let __v21 = __prepared[4];
+            let __v22 = __v21 * __v16;
+            let __v23 = __v22 * __v18;
+            let __v24 = __prepared[5];
+            let __v25 = __v24 * __v13;
+            let __v26 = T::mul_add::<__FUSED>(__v16, __v23, -__v25);
+            let __v27 = __v16 * __v18;
+            let __v28 = -__v27;
+            let __v29 = __prepared[6];
+            let __v30 = __v29 * __v13;
+            let __v31 = T::from_f64(1.0f64);
+            let __v32 = T::min(__v31, __v30);
+            __row.finish(0, __v15);
+            __row.finish(1, __v20);
+            __row.finish(2, __v26);
+            __row.finish(3, __v28);
+            __row.finish(4, __v32);
         }
         #[inline(always)]
         fn write(__rows: &mut impl __p::FinishedRows) {
@@ -1210,10 +1249,11 @@ const _: () = {
     impl<T: __p::Scalar> __p::Staged<T, __SliderCrankCore<T>, 1, 10>
     for __SliderCrank_shape_stages {
         const WIDE: __p::bool = !::core::cfg!(debug_assertions);
-        type Memory<const __BLOCK: __p::usize> = __p::Block<T, __BLOCK, 0>;
+        type Memory<const __BLOCK: __p::usize> = __p::Block<T, __BLOCK, 2>;
         #[inline(always)]
         fn run(__stages: &mut impl __p::RunStages<T, __SliderCrankCore<T>, Self>) {
             __stages.stage::<0>();
+            __stages.stage::<1>();
         }
     }
     impl<T: __p::Scalar> __p::Stage<T, __SliderCrankCore<T>, 0>
@@ -1232,35 +1272,55 @@ const _: () = {
             let __v5 = __v3 * __v1;
             let __v6 = __m.offset;
             let __v7 = T::mul_add::<__FUSED>(-__v3, __v1, __v6);
-            let __v8 = __prepared[1];
-            let __v9 = __v8 - __v7;
-            let __v10 = __v8 + __v7;
-            let __v11 = __v9 * __v10;
-            let __v12 = T::abs(__v4);
-            let __v13 = __v12 + __v8;
-            let __v14 = __prepared[2];
-            let __v15 = T::root_with::<__FUSED>(__v11, __v14, __v13);
-            let __v16 = __prepared[0];
-            let __v17 = T::mul_add::<__FUSED>(-__v16, __v15, __v4);
-            let __v18 = T::from_f64(0.0f64);
-            let __v19 = T::from_f64(1.0f64);
-            __row.finish(0, __v18);
-            __row.finish(1, __v18);
+            __row.keep(0, __v4);
+            __row.keep(1, __v7);
             __row.finish(2, __v4);
             __row.finish(3, __v5);
-            __row.finish(4, __v18);
-            __row.finish(5, __v6);
-            __row.finish(6, __v17);
-            __row.finish(7, __v6);
-            __row.finish(8, __v19);
-            __row.finish(9, __v18);
+        }
+        #[inline(always)]
+        fn write(__rows: &mut impl __p::FinishedRows) {
+            __rows.write(2);
+            __rows.write(3);
+        }
+    }
+    impl<T: __p::Scalar> __p::Stage<T, __SliderCrankCore<T>, 1>
+    for __SliderCrank_shape_stages {
+        #[inline(always)]
+        fn row<const __FUSED: __p::bool, const __ROWS: __p::bool>(
+            __core: &__SliderCrankCore<T>,
+            __row: &mut impl __p::StageRow<T>,
+        ) {
+            let (__m, __modes, __prepared) = __core.loaded();
+            let __carried0 = __row.kept(1);
+            let __carried1 = __row.kept(0);
+            let __v0 = __prepared[1];
+            let __v1 = __carried0;
+            let __v2 = __v0 - __v1;
+            let __v3 = __v0 + __v1;
+            let __v4 = __v2 * __v3;
+            let __v5 = __carried1;
+            let __v6 = T::abs(__v5);
+            let __v7 = __v6 + __v0;
+            let __v8 = __prepared[2];
+            let __v9 = T::root_with::<__FUSED>(__v4, __v8, __v7);
+            let __v10 = __prepared[0];
+            let __v11 = T::mul_add::<__FUSED>(-__v10, __v9, __v5);
+            let __v12 = T::from_f64(0.0f64);
+            let __v13 = __m.offset;
+            let __v14 = T::from_f64(1.0f64);
+            __row.finish(0, __v12);
+            __row.finish(1, __v12);
+            __row.finish(4, __v12);
+            __row.finish(5, __v13);
+            __row.finish(6, __v11);
+            __row.finish(7, __v13);
+            __row.finish(8, __v14);
+            __row.finish(9, __v12);
         }
         #[inline(always)]
         fn write(__rows: &mut impl __p::FinishedRows) {
             __rows.write(0);
             __rows.write(1);
-            __rows.write(2);
-            __rows.write(3);
             __rows.write(4);
             __rows.write(5);
             __rows.write(6);
