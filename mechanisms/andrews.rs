@@ -34,28 +34,29 @@ linkage::mechanism! {
         argument mom = 0.033N*m;             // the motor
         input beta = -0.06171389rad in -360deg..1080deg at speed;
 
-        // Three links meet in P: K2 from the crank, K4 and K6 from A; K3 from B closes the first loop.
-        unknown theta = 0deg;                // of K2 against the crank
+        // Three links meet in P: K2 from the crank, K4 and K6 from A. K3 from B closes the first loop. The publication
+        // measures K2, K4 and K6 against the links before them: theta, phi and Omega.
+        unknown k2 = -4deg;
         unknown gamma = 26deg;               // of K3
         let f = polar(rr, beta);
-        let p = f - polar(d, beta + theta);
+        let p = f - polar(d, k2);
         loop p = b + polar(ss, gamma - 90deg);
-        unknown phi = 13deg;                 // of K4 against K5
+        unknown k4 = 41deg;
         unknown delta = 28deg;               // of K5
         let h = a + polar(zt, delta);
-        loop p = h + polar(e, phi + delta - 90deg);
-        unknown omega = -13deg;              // of K6 against K7
+        loop p = h + polar(e, k4 - 90deg);
+        unknown k6 = 58deg;
         unknown epsilon = 70deg;             // of K7
         let g = a + polar(u, epsilon - 90deg);
-        loop p = g + polar(zf, omega + epsilon);
+        loop p = g + polar(zf, k6);
 
         body k1 = pin on frame at (0, 0), turns beta, mass m1 at polar(ra, beta), inertia i1;
-        body k2 = pin on k1 at f, turns beta + theta, mass m2 at f - polar(da, beta + theta), inertia i2;
+        body k2 = pin on k1 at f, turns k2, mass m2 at f - polar(da, k2), inertia i2;
         body k3 = pin on frame at b, turns gamma, mass m3 at b + rotate((sb, -sa), gamma), inertia i3;
         body k5 = pin on frame at a, turns delta, mass m5 at a + rotate((ta, tb), delta), inertia i5;
-        body k4 = pin on k5 at h, turns phi + delta, mass m4 at h + polar(e - ea, phi + delta - 90deg), inertia i4;
+        body k4 = pin on k5 at h, turns k4, mass m4 at h + polar(e - ea, k4 - 90deg), inertia i4;
         body k7 = pin on frame at a, turns epsilon, mass m7 at a + rotate((-ub, -ua), epsilon), inertia i7;
-        body k6 = pin on k7 at g, turns omega + epsilon, mass m6 at g + polar(zf - fa, omega + epsilon), inertia i6;
+        body k6 = pin on k7 at g, turns k6, mass m6 at g + polar(zf - fa, k6), inertia i6;
         pin p3 = k2 on k3 at p;
         pin p4 = k4 on k2 at p;
         pin p6 = k6 on k2 at p;
@@ -65,7 +66,7 @@ linkage::mechanism! {
 
     impl Andrews {
         /// The angles of the publication.
-        pub fn position(beta) -> Position { theta, gamma, phi, delta, omega, epsilon }
+        pub fn position(beta) -> Position { theta: k2 - beta, gamma, phi: k4 - delta, delta, omega: k6 - epsilon, epsilon }
         /// The acceleration of the crank, which is the whole equation of motion.
         pub fn motion(beta, speed, mom) -> Motion { acceleration: driven_acceleration(beta) }
         /// The terms of that equation, and the rate of the inertia.

@@ -67,6 +67,7 @@ examples! {
         "coupler-poses": "a four-bar that takes its coupler through given poses" in "burmester.rs",
         "needle-drive": "the needle drive of a sewing machine in space" in "needle_drive.rs",
         "spatial-slider": "a slide on an oblique line in space" in "spatial_slider_crank.rs",
+        "andrews": "seven bodies that a motor turns against a spring: their equation of motion" in "andrews.rs",
         "universal-joint": "three shafts with two universal joints" in "universal_joint.rs",
         "ankle": "the ankle of a humanoid: two motors, two rods, and back" in "ankle.rs",
         "delta-robot": "three arms and a platform, and back" in "delta_robot.rs",

@@ -1,11 +1,8 @@
 //! Andrews' squeezing mechanism: its equation of motion against published numbers.
 
-#[path = "double_double/number.rs"]
-mod number;
-
 use crate::check::Check;
+use crate::double_double::number::DoubleDouble;
 use linkage::Scalar;
-use number::DoubleDouble;
 use std::error::Error;
 use std::f64::consts::TAU;
 use std::str::FromStr;
@@ -79,13 +76,21 @@ fn known_answers_are_met() -> Result<(), Box<dyn Error>> {
     check.finish()
 }
 
-/// The dimensions with all digits of their decimals: shortest texts of doubles are those of the file.
+/// The dimensions with all digits of their decimals, which are the shortest texts of the doubles.
 fn decimals(mechanism: &Andrews) -> Result<Andrews<DoubleDouble>, Box<dyn Error>> {
-    let mut values = mechanism.cast::<DoubleDouble>().values();
-    for value in &mut values {
-        *value = DoubleDouble::from_str(&value.lane(0).to_string())?;
+    let mut wide = mechanism.cast::<DoubleDouble>();
+    macro_rules! all {
+        ($($($name:ident).+),+ $(,)?) => {
+            $(wide.$($name).+ = DoubleDouble::from_str(&mechanism.$($name).+.to_string())?;)+
+        };
     }
-    Ok(Andrews::from_values(&values))
+    all!(
+        a.x, a.y, b.x, b.y, c.x, c.y, rr, ra, d, da, ss, sa, sb, sc, sd, e, ea, zt, ta, tb, zf
+    );
+    all!(
+        fa, u, ua, ub, m1, m2, m3, m4, m5, m6, m7, i1, i2, i3, i4, i5, i6, i7, stiffness, l0
+    );
+    Ok(wide)
 }
 
 /// The power of motor, spring and masses balances at any speed and acceleration.

@@ -12,7 +12,7 @@
 //! `theta + 25deg`, and the constant `PI` are doubles.
 
 #[path = "double_double/number.rs"]
-mod number;
+pub(crate) mod number;
 
 use crate::check::Check;
 use linkage::{Scalar, Vector2};

@@ -8,7 +8,6 @@ use crate::forces::multibody::Multibody;
 use crate::forces::speeds::{AngularVelocities, Speeds};
 use crate::forces::wrench::Wrench;
 use crate::forces::{loads, masses, motion};
-use crate::model::Rotation;
 
 /// The loads on a body alone.
 pub(super) fn own_wrench<'m>(
@@ -52,12 +51,7 @@ pub(super) fn moment_of_mass<'m>(
     mass: Ex<'m>,
     arm: Vn<'m>,
 ) -> Option<Vn<'m>> {
-    let mechanism = algebra.mechanism;
-    let joint = &mechanism.joints[mechanism.bodies[body].joint];
-    let origin = bodies.geometry.origins[body];
-    let rests = joint.on.is_none() && origin.iter().all(|x| x.is_fixed());
-    let is_pin = joint.kind.rotation() == Rotation::AboutAxis && !joint.kind.slides();
-    if !bodies.geometry.is_plane() || !is_pin || !rests {
+    if !bodies.turns_about_fixed_pin(algebra.mechanism, body) {
         return None;
     }
     let gain = motion::angular_acceleration(algebra, bodies, turns, speeds, body);

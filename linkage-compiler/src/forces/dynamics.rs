@@ -11,8 +11,8 @@ use crate::algebra::{Algebra, positive_definite};
 use crate::forces::body_loads::Loads;
 use crate::forces::context::Memo;
 use crate::forces::multibody::Multibody;
-use crate::forces::speeds::{By, Speeds};
-use crate::forces::{inertia, loads, masses, motion, virtual_work};
+use crate::forces::speeds::{AngularVelocities, By, Speeds};
+use crate::forces::{fixed_pins, inertia, loads, masses, motion, virtual_work};
 
 /// An entry of the mass matrix: `sum m p_a . p_b + sum w_a . I w_b`, with velocities at unit speeds
 /// of the inputs.
@@ -28,13 +28,19 @@ pub(super) fn inertia<'m>(
         return known;
     }
     let by = inputs.map(By::Input);
+    let turns = &mut memo.turns;
     let mut sum = algebra.zero();
     for body in 0..algebra.mechanism.bodies.len() {
+        if let Some(inertia) = fixed_pins::inertia_about_pin(algebra, bodies, body) {
+            let [first, second] = by.map(|by| motion::turn(algebra, bodies, turns, Some(body), by));
+            sum += inertia * first.dot(second);
+            continue;
+        }
         for (mass, point) in masses::masses(algebra, body) {
             let [first, second] = by.map(|by| motion::moved(algebra, point, by));
             sum += mass * first.dot(second);
         }
-        sum += inertia::turning_inertia(algebra, bodies, &mut memo.turns, body, by);
+        sum += inertia::turning_inertia(algebra, bodies, turns, body, by);
     }
     memo.inertias.insert(inputs, sum);
     sum
@@ -49,8 +55,60 @@ pub(super) fn bias<'m>(
     input: usize,
 ) -> Ex<'m> {
     let turns = &mut memo.turns;
-    let loads = loads::inertial_loads(algebra, bodies, turns, &speeds.steady());
-    -virtual_work::work(algebra, bodies, turns, &loads, input)
+    let by = By::Input(input);
+    let velocities = match speeds.single() {
+        None => inertial_work(algebra, bodies, turns, &speeds.steady(), by),
+        Some((drive, unit)) => {
+            let speed = motion::speed(algebra, speeds, drive);
+            let speed = speed.expect("the drive has a speed");
+            inertial_work(algebra, bodies, turns, &unit, by) * speed.square()
+        }
+    };
+    velocities - weight_work(algebra, by)
+}
+
+/// The work against inertia forces per motion of an input: `sum m a . p_a + sum M . w_a`.
+fn inertial_work<'m>(
+    algebra: &mut Algebra<'m>,
+    bodies: &Multibody<'m>,
+    turns: &mut AngularVelocities<'m>,
+    speeds: &Speeds,
+    by: By,
+) -> Ex<'m> {
+    let mut sum = algebra.zero();
+    if !motion::moves(speeds) {
+        return sum;
+    }
+    for body in 0..algebra.mechanism.bodies.len() {
+        let turn = motion::turn(algebra, bodies, turns, Some(body), by);
+        if let Some(inertia) = fixed_pins::inertia_about_pin(algebra, bodies, body) {
+            let gain = motion::angular_acceleration(algebra, bodies, turns, speeds, body);
+            sum += inertia * gain.dot(turn);
+            continue;
+        }
+        for (mass, point) in masses::masses(algebra, body) {
+            let acceleration = motion::point_acceleration(algebra, speeds, point);
+            sum += mass * acceleration.dot(motion::moved(algebra, point, by));
+        }
+        if let Some(couple) = inertia::inertia_couple(algebra, bodies, turns, speeds, body) {
+            sum += couple.dot(turn);
+        }
+    }
+    sum
+}
+
+/// The work of weights per motion of an input: `sum m g . p_a`.
+fn weight_work<'m>(algebra: &mut Algebra<'m>, by: By) -> Ex<'m> {
+    let mut sum = algebra.zero();
+    let Some(gravity) = masses::gravity(algebra) else {
+        return sum;
+    };
+    for body in 0..algebra.mechanism.bodies.len() {
+        for (mass, point) in masses::masses(algebra, body) {
+            sum += (mass * gravity).dot(motion::moved(algebra, point, by));
+        }
+    }
+    sum
 }
 
 /// The work of forces, torques, springs and dampers per motion of an input.
@@ -86,9 +144,10 @@ pub(super) fn driven_acceleration<'m>(
             .collect()
     };
     let matrix = inputs.clone().map(row).collect();
-    let loads = loads::loads(algebra, bodies, memo, &speeds);
-    let turns = &mut memo.turns;
-    let right = inputs.map(|input| virtual_work::work(algebra, bodies, turns, &loads, input));
+    let right = inputs.map(|input| {
+        generalised_force(algebra, bodies, memo, &speeds, input)
+            - bias(algebra, bodies, memo, &speeds, input)
+    });
     let accelerations = Rc::new(positive_definite::solve(matrix, right.collect()));
     memo.driven.insert(speeds, accelerations.clone());
     accelerations[input]

@@ -172,7 +172,7 @@ fn out_of_axes<'m>(graph: &'m Graph, axes: &[Vn<'m>; 3], vector: Vn<'m>) -> Vn<'
 }
 
 /// A body's inertia, without that of its masses as points, times a turn.
-fn inertia_times<'m>(
+pub(super) fn inertia_times<'m>(
     algebra: &mut Algebra<'m>,
     geometry: &Geometry<'m>,
     body: usize,

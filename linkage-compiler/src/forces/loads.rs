@@ -50,24 +50,14 @@ fn all_loads<'m>(
     turns: &mut AngularVelocities<'m>,
     speeds: &Speeds,
 ) -> Loads<'m> {
-    let mut loads = inertial_loads(algebra, bodies, turns, speeds);
-    add_applied(algebra, bodies, turns, speeds, &mut loads);
-    loads
-}
-
-/// Inertia forces and weights alone.
-pub(super) fn inertial_loads<'m>(
-    algebra: &mut Algebra<'m>,
-    bodies: &Multibody<'m>,
-    turns: &mut AngularVelocities<'m>,
-    speeds: &Speeds,
-) -> Loads<'m> {
     let all = 0..algebra.mechanism.bodies.len();
-    Loads {
+    let mut loads = Loads {
         bodies: all
             .map(|body| inertia_and_weight(algebra, bodies, turns, speeds, body))
             .collect(),
-    }
+    };
+    add_applied(algebra, bodies, turns, speeds, &mut loads);
+    loads
 }
 
 /// Adds forces, torques, springs and dampers.

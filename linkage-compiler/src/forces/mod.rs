@@ -21,6 +21,7 @@
 //! | `names` | joints, bodies and elements as messages name them |
 //! | `motion` | velocities and accelerations of points and bodies |
 //! | `masses`, `inertia` | masses, and moments of inertia when a body turns |
+//! | `fixed_pins` | inertia of bodies that turn about a pin on the frame |
 //! | `springs` | springs and dampers on each body |
 //! | `loads` | inertia, weight, loads and springs on each body |
 //! | `virtual_work` | work of loads per motion of an input |
@@ -51,6 +52,7 @@ mod ends;
 mod equations;
 mod equilibrium;
 mod fit;
+mod fixed_pins;
 mod freedom;
 mod geometry;
 mod inertia;

@@ -6,12 +6,15 @@ use linkage_symbolic::{Ex, Vector, Vn};
 use crate::algebra::{Algebra, Direction, derivatives::direction, derivatives::partial, scalar};
 use crate::forces::geometry::BodyTurn;
 use crate::forces::multibody::Multibody;
-use crate::forces::speeds::{AngularVelocities, By, Speeds};
+use crate::forces::speeds::{AngularVelocities, By, Speed, Speeds};
 use crate::model::Variable;
 
 /// The speed of an input, if it is listed.
 pub(super) fn speed<'m>(algebra: &Algebra<'m>, speeds: &Speeds, input: usize) -> Option<Ex<'m>> {
-    speeds.speeds[input].map(|argument| algebra.input(argument))
+    speeds.speeds[input].map(|speed| match speed {
+        Speed::Listed(argument) => algebra.input(argument),
+        Speed::Unit => algebra.one(),
+    })
 }
 
 fn acceleration<'m>(algebra: &Algebra<'m>, speeds: &Speeds, input: usize) -> Option<Ex<'m>> {
@@ -114,8 +117,8 @@ pub(super) fn in_time<'m>(
 
 /// The number of factors of [`gain`]: accelerations, and products of two speeds.
 pub(super) fn factors_of_gain(speeds: &Speeds) -> usize {
-    let count = |arguments: &[Option<usize>]| arguments.iter().flatten().count();
-    count(&speeds.accelerations) + count(&speeds.speeds).pow(2)
+    let products = speeds.speeds.iter().flatten().count().pow(2);
+    products + speeds.accelerations.iter().flatten().count()
 }
 
 /// The rate of a velocity, given the quantity's derivatives with respect to the inputs:

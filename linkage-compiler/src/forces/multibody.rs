@@ -6,6 +6,7 @@ use crate::algebra::Algebra;
 use crate::forces::geometry::Geometry;
 use crate::forces::loop_values::LoopValues;
 use crate::forces::tree::Tree;
+use crate::model::{Mechanism, Rotation};
 
 /// The bodies of a mechanism. Functions only read them, and the check of the bodies adds the facts.
 #[derive(Clone, Debug, Default)]
@@ -39,6 +40,15 @@ impl<'m> Multibody<'m> {
             facts: NumericFacts::default(),
             loop_values: LoopValues::default(),
         }
+    }
+
+    /// True for a body of the plane with a pin on the frame that does not move.
+    pub(super) fn turns_about_fixed_pin(&self, mechanism: &Mechanism, body: usize) -> bool {
+        let joint = &mechanism.joints[mechanism.bodies[body].joint];
+        let is_pin = joint.kind.rotation() == Rotation::AboutAxis && !joint.kind.slides();
+        let origin = self.geometry.origins[body];
+        let rests = joint.on.is_none() && origin.iter().all(|x| x.is_fixed());
+        self.geometry.is_plane() && is_pin && rests
     }
 
     /// The vector from a body's origin to a point.

@@ -9,8 +9,18 @@ use crate::model::Mechanism;
 /// drive.
 #[derive(Clone, Debug, Default, PartialEq, Eq, Hash)]
 pub(super) struct Speeds {
-    pub(super) speeds: Vec<Option<usize>>,
+    pub(super) speeds: Vec<Option<Speed>>,
     pub(super) accelerations: Vec<Option<usize>>,
+}
+
+/// The speed of a drive.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub(super) enum Speed {
+    /// An argument of the function, as a place among inputs and arguments.
+    Listed(usize),
+    /// One radian or one unit of length in a second: what is quadratic in the speed is multiplied by
+    /// its square later, once.
+    Unit,
 }
 
 /// The variable of a derivative.
@@ -34,6 +44,15 @@ impl Speeds {
         }
     }
 
+    /// The only drive with a speed, and a motion of it alone at unit speed.
+    pub(super) fn single(&self) -> Option<(usize, Self)> {
+        let mut moving = (0..self.speeds.len()).filter(|&drive| self.speeds[drive].is_some());
+        let drive = moving.next()?;
+        let mut unit = self.steady();
+        unit.speeds[drive] = Some(Speed::Unit);
+        moving.next().is_none().then_some((drive, unit))
+    }
+
     /// Those among the arguments that a function lists.
     pub(super) fn listed(mechanism: &Mechanism, listed: &[usize]) -> Self {
         let drives = mechanism.inputs.len();
@@ -45,7 +64,7 @@ impl Speeds {
         Self {
             speeds: inputs
                 .clone()
-                .map(|input| listed_index(input.speed))
+                .map(|input| listed_index(input.speed).map(Speed::Listed))
                 .collect(),
             accelerations: inputs
                 .map(|input| listed_index(input.acceleration))

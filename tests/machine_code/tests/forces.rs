@@ -76,6 +76,9 @@ mechanism! {
             left: torque(left), right: torque(right), p: power(), hand: reaction(hand),
         }
         pub fn hold(left, right, payload) -> FiveBarHold { left: torque(left), right: torque(right) }
+        pub fn free(left, right, left_speed, right_speed, payload) -> FiveBarFree {
+            m: inertia(), left: driven_acceleration(left), right: driven_acceleration(right),
+        }
     }
 }
 
@@ -118,6 +121,7 @@ check!(rssr: Rssr, RssrAssembly:
 check!(five_bar: FiveBar, FiveBarAssembly:
     drives [drives_sweep drives_sweep_sets]
         (left, right, left_speed, right_speed, payload),
-    hold [hold_sweep hold_sweep_sets] (left, right, payload));
+    hold [hold_sweep hold_sweep_sets] (left, right, payload),
+    free [free_sweep free_sweep_sets] (left, right, left_speed, right_speed, payload));
 check!(platform: Platform, PlatformAssembly:
     forces [forces_sweep forces_sweep_sets] (phi, omega));

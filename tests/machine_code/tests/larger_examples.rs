@@ -8,6 +8,7 @@
 mod judge;
 
 mechanisms! {
+    andrews,
     delta_robot,
     double_double,
     eye_needle,
@@ -21,6 +22,12 @@ mechanisms! {
     universal_joint,
 }
 
+check!(andrews_: andrews::Andrews, andrews::AndrewsAssembly:
+    position [position_sweep position_sweep_sets] (beta),
+    motion [motion_sweep motion_sweep_sets] (beta, speed, mom),
+    terms [terms_sweep terms_sweep_sets] (beta, speed, mom),
+    energy [energy_sweep energy_sweep_sets] (beta, speed),
+    picture [picture_sweep picture_sweep_sets] (beta));
 check!(delta_robot_: delta_robot::Delta, delta_robot::DeltaAssembly:
     platform [platform_sweep platform_sweep_sets] (phi1, phi2, phi3),
     motion [motion_sweep motion_sweep_sets] (phi1, phi2, phi3),

@@ -33,7 +33,15 @@ fn two_links() {
          spring k from frame at (0mm, d) to coupler at r, free c / 2;
          damper g on j4;"
     );
-    expect(&items, &["reaction(j3)", "power()", "shaking_moment()"]);
+    expect(
+        &items,
+        &[
+            "reaction(j3)",
+            "power()",
+            "shaking_moment()",
+            "driven_acceleration(phi)",
+        ],
+    );
     expect_agreement(
         &items,
         "f(phi, omega, epsilon, load) -> R { s: d(torque(phi), phi, m), t: sensitivity(reaction(j1)), u: d(reaction(j4), a, n), v: d(power(), k) }",
@@ -56,7 +64,15 @@ fn links_and_slides() {
          pin j3 = rod on slider at r;
          force (load, 0) on slider at r; damper k * 1s on j4;"
     );
-    expect(&slider, &["reaction(j4)", "moment(j4)", "torque(phi)"]);
+    expect(
+        &slider,
+        &[
+            "reaction(j4)",
+            "moment(j4)",
+            "torque(phi)",
+            "driven_acceleration(phi)",
+        ],
+    );
     let block = format!(
         "{LOADS} unknown t = 170deg; unknown x = 70mm;
          let q = polar(a, phi);
@@ -113,6 +129,7 @@ fn in_space() {
     for quantities in [
         "s: sensitivity(reaction(j3)), t: sensitivity(moment(j4)), u: sensitivity(torque(phi))",
         "s: sensitivity(reaction(j2)), t: sensitivity(moment(j1)), u: sensitivity(kinetic_energy())",
+        "s: sensitivity(driven_acceleration(phi)), t: sensitivity(bias(phi)), u: velocity(inertia(phi))",
         "s: sensitivity(velocity(torque(phi)))",
     ] {
         expect_agreement(

@@ -1,6 +1,6 @@
 //! Messages about mistakes in quantities of the equation of motion.
 
-use super::super::check;
+use super::super::{check, last_of};
 use super::PLANE;
 
 /// Each quantity in a function of these arguments.

@@ -103,7 +103,7 @@ impl Terms {
     fn add(&self, text: &mut String, name: &str, arguments: &[&str], quantities: Vec<String>) {
         let _ = write!(
             text,
-            "fn {name}({}) -> Type_of_{name} {{ ",
+            "fn terms_of_{name}({}) -> Terms_of_{name} {{ ",
             arguments.join(", ")
         );
         for (index, quantity) in quantities.iter().enumerate() {
@@ -176,7 +176,8 @@ impl Terms {
             format!("kinetic_energy() - ({half}) / 2"),
             "kinetic_energy()".to_owned(),
             format!("{energy} - ({change})"),
-            format!("abs({energy}) + {}", sizes(&[change])),
+            // A constant inertia has derivatives of rounding.
+            format!("kinetic_energy() / 1s + {}", sizes(&[change])),
         ]
     }
 
