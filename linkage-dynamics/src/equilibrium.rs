@@ -180,6 +180,9 @@ mod tests {
         // No force beyond 3: the zero before is found.
         let force = |x: f64| if x < 3.0 { 1.0 - x } else { f64::NAN };
         assert_eq!(equilibria(force, [0.0, 4.0], 7).len(), 1);
+        // On a sample.
+        let found = equilibria(|x| 1.0 - x, [0.0, 4.0], 4);
+        assert!(found.len() == 1 && found[0].input == 1.0 && found[0].is_stable());
     }
 
     /// One input with a damper: `a = -100 q - 2 v`.

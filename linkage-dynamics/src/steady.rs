@@ -1,5 +1,4 @@
-//! Periodic steady state of a machine: the speed that repeats itself after a turn, its unevenness,
-//! and the flywheel for a wished one.
+//! Periodic steady state of a machine: the speed that repeats itself after a turn, its unevenness.
 
 use crate::equations_of_motion::Reduced;
 use crate::event::zero;
@@ -13,8 +12,6 @@ use std::num::NonZeroUsize;
 
 /// Newton's steps, many more than a good start needs.
 const NEWTON_STEPS: usize = 50;
-/// Steps of the secant method for a flywheel.
-const SECANT_STEPS: usize = 50;
 /// Difference of the speed for its derivative: the third root of a digit.
 const DIFFERENCE: f64 = 6e-6;
 /// Points of a Gauss rule over one step.
@@ -265,84 +262,4 @@ fn extreme<F: Fn(f64, f64) -> Reduced>(
     zero(step, ends, |state| {
         machine.acceleration(state.time, speed(&state.phase()))
     })
-}
-
-/// A flywheel on the shaft of the input.
-#[derive(Clone, Debug)]
-pub struct Flywheel {
-    /// Moment of inertia, in moments times s^2: with `unit mm` in N*mm*s^2, which are 1000 kg*mm^2.
-    pub inertia: f64,
-    /// The steady state with the flywheel.
-    pub steady_state: SteadyState,
-}
-
-/// Finds the smallest flywheel with which the degree of unevenness is at most a wished one.
-///
-/// The inverse of the unevenness is nearly linear in the inertia. The secant method starts with
-/// that line.
-///
-/// # Errors
-///
-/// [`NotSteady`] as for [`steady_state`], or if the steps end elsewhere.
-pub fn flywheel<F>(machine: &Machine<F>, wished: f64, near: f64) -> Result<Flywheel, NotSteady>
-where
-    F: Fn(f64, f64) -> Reduced,
-{
-    if !(wished > 0.0 && wished.is_finite()) {
-        return Err(NotSteady::NotPositive(wished));
-    }
-    let with = |inertia: f64, near: f64| {
-        let equation = |input: f64, omega: f64| {
-            let Reduced {
-                inertia: [[alone]],
-                force,
-            } = (machine.equation)(input, omega);
-            Reduced {
-                inertia: [[alone + inertia]],
-                force,
-            }
-        };
-        let Machine {
-            start,
-            period,
-            tolerance,
-            ..
-        } = *machine;
-        let machine = Machine {
-            equation,
-            start,
-            period,
-            tolerance,
-        };
-        steady_state(&machine, near)
-    };
-    let found = with(0.0, near)?;
-    let mut unevenness = found.unevenness();
-    if unevenness <= wished {
-        return Ok(Flywheel {
-            inertia: 0.0,
-            steady_state: found,
-        });
-    }
-    let near = found.mean_speed();
-    let alone = (machine.equation)(found.slowest.0, near).inertia[0][0];
-    let excess = |unevenness: f64| wished / unevenness - 1.0;
-    let mut before = (0.0, excess(unevenness));
-    let mut inertia = alone * (unevenness / wished - 1.0);
-    for _ in 0..SECANT_STEPS {
-        let found = with(inertia, near)?;
-        unevenness = found.unevenness();
-        let off = excess(unevenness);
-        if off.abs() <= machine.tolerance.sqrt() * 1e-3 {
-            return Ok(Flywheel {
-                inertia,
-                steady_state: found,
-            });
-        }
-        let next = inertia - off * (inertia - before.0) / (off - before.1);
-        before = (inertia, off);
-        // Towards zero by a factor of ten at most.
-        inertia = next.max(0.1 * inertia);
-    }
-    Err(NotSteady::NoFlywheel { wished, unevenness })
 }

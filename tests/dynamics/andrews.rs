@@ -10,7 +10,7 @@ const END: f64 = 0.03;
 /// Angle and speed of the crank after 0.03 s; the angle by a Taylor series of 30 digits. The test set
 /// has 15.81077119629904.
 const ANGLE: f64 = 15.810_771_195_153_707;
-const SPEED: f64 = 1139.920_302_151_208;
+const SPEED: f64 = 1_139.920_302_151_208;
 
 fn linkage() -> AndrewsAssembly {
     Andrews::default().assemble().expect("an assembly")

@@ -84,6 +84,29 @@ fn a_load_without_a_value_ends_the_motion() {
     );
 }
 
+/// A load that ends at a position: the last state is before it, and has a load.
+#[test]
+fn the_last_state_has_accelerations() {
+    for method in [Method::Explicit, Method::Implicit] {
+        for part in 1..=400 {
+            let limit = 0.01 * f64::from(part);
+            let load = |_, [x]: [f64; 1], _: [f64; 1]| {
+                [if x <= limit {
+                    1.0 + 0.9 * (9.0 * x).sin()
+                } else {
+                    f64::NAN
+                }]
+            };
+            let problem = Problem::new(load).method(method).tolerance(0.1);
+            let error = problem.until(9.0).expect_err("no load");
+            let state = error.motion().end();
+            assert!(matches!(error.cause(), Cause::Undefined { .. }), "{error}");
+            assert!(state.inputs[0] <= limit, "{limit} {state:?}");
+            assert!((state.inputs[0] - limit).abs() < 1e-7, "{limit} {state:?}");
+        }
+    }
+}
+
 #[test]
 fn no_inertia_is_an_error_at_the_start() {
     let problem = Problem::reduced(|_, _: [f64; 1], _| Reduced::one(0.0, 1.0));

@@ -131,6 +131,23 @@ fn times_and_stored_steps() {
     assert!(end.state(2.0).inputs[0].is_nan());
 }
 
+/// After an event that stops there is none, also within its step.
+#[test]
+fn events_end_with_the_one_that_stops() {
+    let problem = Problem::new(|_, _: [f64; 1], _| [0.0]).start([0.0], [1.0]);
+    let times = [0.75, 0.25, 0.5];
+    let problem = times.into_iter().fold(problem, |problem, time| {
+        let event = Event::new(move |state| state.time - time);
+        problem.event(if time == 0.5 { event.stop() } else { event })
+    });
+    let motion = problem.until(1e3).expect("a motion");
+    let found = motion.occurrences().iter().map(|found| found.event);
+    assert_eq!(found.collect::<Vec<_>>(), [1, 2]);
+    assert!((motion.end().inputs[0] - 0.5).abs() < 1e-14);
+    let steps = motion.step_states().map(|state| state.time);
+    assert!(steps.fold(0.0, f64::max) == motion.end().time);
+}
+
 /// A stiff spring with a damper carries a mass along `cos t`: few implicit steps, many explicit
 /// ones.
 #[test]
