@@ -1,13 +1,16 @@
 //! Sweeps into columns as C, from the statements of a row.
 
+use std::ops::RangeInclusive;
+
 use crate::writer::Writer;
 
 /// Positions of a block, and of one in halves: they stay close to each other in memory.
 const BLOCK: usize = 512;
 const BLOCK_OF_HALVES: usize = 64;
 
-/// The most columns of a block in halves. With more, caches cannot follow all places that are written.
-const COLUMNS_OF_HALVES: usize = 8;
+/// Columns of a block in halves. With fewer, a processor looks far enough ahead. With more, caches
+/// cannot follow all places that are written.
+const COLUMNS_OF_HALVES: RangeInclusive<usize> = 3..=8;
 
 /// What the names of arrays begin with, for each half of a block.
 pub(crate) const HALVES: [&str; 2] = ["", "other_"];
@@ -68,7 +71,7 @@ static void {name}_{kind}({shared}, size_t {private}count{parameters})
     }
 
     fn has_halves(&self) -> bool {
-        self.is_closed && self.columns <= COLUMNS_OF_HALVES
+        self.is_closed && COLUMNS_OF_HALVES.contains(&self.columns)
     }
 
     /// The function that is called.
