@@ -159,6 +159,7 @@ pub(crate) fn unit() -> CompiledMechanism {
         unit: unit.to_owned(),
         about: String::new(),
         reaction: None,
+        driven_acceleration: None,
     };
     let angle = |unknown, estimate| ContinuousAngle {
         unknown,
