@@ -200,14 +200,14 @@ mod tests {
     use std::collections::BTreeSet;
 
     /// The code with which a page computes, besides the programs, which are 78,000 bytes for the
-    /// largest mechanism of the gallery. Both together may have 163,900 bytes. A machine
+    /// largest mechanism of the gallery. Both together may have 164,000 bytes. A machine
     /// of four of them with all sensitivities, the example `knitting_machine`, has 166,000 bytes of
     /// programs. Only a page with a cyclogram has the code for it.
     #[test]
     fn what_computes_is_small() {
         let all = [&ENGINE.join("\n"), OTHERS, &LIVE.join("\n"), LIVE_STYLE];
         let size: usize = all.iter().map(|script| bare(script).len()).sum();
-        assert!(size < 85_900, "{size} bytes");
+        assert!(size < 86_000, "{size} bytes");
         let [cycle, overlaps] = LIVE_CYCLE.map(|script| bare(script).len());
         assert!(cycle < 6_500, "{cycle} bytes");
         assert!(overlaps < 1_200, "{overlaps} bytes");

@@ -183,8 +183,18 @@ fn of_function(outline: &Outline, function: &Function) -> TokenStream {
         first..=first + outline.starts[group].size
     });
     let dimensions = outline.scalar_fields().len();
-    let places = function.positions.iter().copied().chain(states);
-    let places = places.map(|position| literal::index(dimensions + position));
+    // Speeds and loads are numbers of the function's rows, and none of the mechanism's.
+    let inputs = function.positions.iter().copied();
+    let inputs = inputs.map(|position| Some(position).filter(|&p| p < outline.inputs.len()));
+    let places = inputs
+        .chain(states.map(Some))
+        .map(|position| match position {
+            None => quote!(__p::Option::None),
+            Some(position) => {
+                let index = literal::index(dimensions + position);
+                quote!(__p::Option::Some(#index))
+            }
+        });
     let groups = function.states.iter().map(|&group| {
         let [number, first, size] = [
             group,
@@ -199,7 +209,7 @@ fn of_function(outline: &Outline, function: &Function) -> TokenStream {
         #(#everywhere)*
         impl<T: #runtime::Scalar> #runtime::FollowedStages<#core<T>, #parameters, #width> for #stages {
             type Moving = #moving;
-            const PLACES: &'static [__p::usize] = &[#(#places),*];
+            const PLACES: &'static [__p::Option<__p::usize>] = &[#(#places),*];
             const GROUPS: &'static [(__p::usize, __p::usize, __p::usize)] =
                 &[#(#groups),*];
 

@@ -88,6 +88,8 @@ fn parts_of_sweeps(unit: &CompiledMechanism, function: &Function) -> BTreeSet<St
     let states = function.states.iter();
     let tables = states.map(|&number| table(&unit.coupled[number].start).to_owned());
     let body = &function.called;
+    let mut arguments = function.arguments.iter();
+    let has_loads = arguments.any(|&argument| argument >= unit.inputs.len());
     let others = [
         format!("{} arguments", function.arguments.len()),
         format!("{} stages", body.stages.len().min(3)),
@@ -97,6 +99,11 @@ fn parts_of_sweeps(unit: &CompiledMechanism, function: &Function) -> BTreeSet<St
         format!("is worth a call: {}", body.is_worth_a_call()),
         format!("has parameters: {}", unit.scalars().count() > 0),
         format!("inputs: {}", unit.inputs.len()),
+        // Rows that are followed to other dimensions keep them.
+        format!(
+            "loads of followed groups: {}",
+            !function.states.is_empty() && has_loads
+        ),
     ];
     let operations = body.program.instructions.iter().filter_map(operation);
     let all = shapes.chain(tables).chain(others);

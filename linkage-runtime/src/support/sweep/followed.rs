@@ -27,8 +27,8 @@ pub(super) struct Followed<F, const P: usize> {
     /// The mechanism of a lane, a [`Moving`].
     pub mechanism: F,
     /// Positions of inputs, states and floors of the function's rows in those of the mechanism;
-    /// dimensions are first in both.
-    pub places: &'static [usize],
+    /// dimensions are first in both. `None` for speeds and loads, which the mechanism has not.
+    pub places: &'static [Option<usize>],
     /// The groups that the function uses, each with the first place and the size of its state.
     pub groups: &'static [(usize, usize, usize)],
 }
@@ -116,9 +116,11 @@ impl<F, const P: usize> Followed<F, P> {
         lane: usize,
     ) -> [f64; R] {
         let mut whole = [f64::NAN; R];
-        let numbers = (0..P).chain(self.places.iter().copied());
+        let numbers = (0..P).map(Some).chain(self.places.iter().copied());
         for (number, value) in numbers.zip(row) {
-            whole[number] = value.lane(lane);
+            if let Some(number) = number {
+                whole[number] = value.lane(lane);
+            }
         }
         whole
     }
@@ -130,7 +132,8 @@ impl<F, const P: usize> Followed<F, P> {
         lane: usize,
         whole: &[f64; R],
     ) {
-        for (&index, value) in self.places.iter().zip(&mut row[P..]) {
+        for (index, value) in self.places.iter().zip(&mut row[P..]) {
+            let &Some(index) = index else { continue };
             *value = T::from_lanes(|other| {
                 if other == lane {
                     whole[index]

@@ -19,8 +19,8 @@ pub trait FollowedStages<C, const P: usize, const Y: usize> {
     type Moving: Moving<P, Y>;
 
     /// The numbers of the function's rows after the dimensions, by their index in rows of the
-    /// mechanism.
-    const PLACES: &'static [usize];
+    /// mechanism; `None` for speeds and loads, which these do not have.
+    const PLACES: &'static [Option<usize>];
 
     /// The groups that the function uses, each with the first place and the size of its state.
     const GROUPS: &'static [(usize, usize, usize)];
