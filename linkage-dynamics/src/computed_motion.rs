@@ -1,13 +1,8 @@
 //! A motion that has been computed: its steps with dense output, its events, its end.
 
 use crate::state::State;
-use crate::step::Step;
-use gauss_quad::GaussLegendre;
+use crate::step::{self, Step};
 use std::fmt;
-use std::num::NonZeroUsize;
-
-/// Points of a Gauss rule over one step: exact for products of two polynomials of a step.
-const QUADRATURE: NonZeroUsize = NonZeroUsize::new(8).unwrap();
 
 /// An event that occurred.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -106,10 +101,8 @@ impl<const N: usize> Motion<N> {
     /// and without stored steps ([`Problem::only_end`](crate::Problem::only_end)).
     #[must_use]
     pub fn state(&self, time: f64) -> State<N> {
-        let after = self.steps.partition_point(|step| step.start < time);
-        let step = self.steps.get(after.saturating_sub(1));
         let inside = time >= self.start.time && time <= self.end.time;
-        match step.filter(|_| inside) {
+        match step::step_at(&self.steps, time).filter(|_| inside) {
             Some(step) => step.state(time),
             None => State {
                 time,
@@ -141,12 +134,7 @@ impl<const N: usize> Motion<N> {
     /// by a Gauss rule of 8 points over each step. The function must be as smooth as the motion.
     #[must_use]
     pub fn integral(&self, function: impl Fn(&State<N>) -> f64) -> f64 {
-        let rule = GaussLegendre::new(QUADRATURE);
-        let integrals = self.steps.iter().map(|step| {
-            let end = step.end().time;
-            rule.integrate(step.start, end, |time| function(&step.state(time)))
-        });
-        integrals.sum()
+        step::integral(&self.steps, function)
     }
 
     /// Returns the number of steps.

@@ -3,19 +3,15 @@
 use crate::equations_of_motion::Reduced;
 use crate::event::zero;
 use crate::machine::Machine;
-use crate::step::{NODES, Step};
+use crate::step::{NODES, Step, integral};
 use crate::turn::{Stall, Turn, speed};
-use gauss_quad::GaussLegendre;
 use std::error::Error;
 use std::fmt;
-use std::num::NonZeroUsize;
 
 /// Newton's steps, many more than a good start needs.
 const NEWTON_STEPS: usize = 50;
 /// Difference of the speed for its derivative: the third root of a digit.
 const DIFFERENCE: f64 = 6e-6;
-/// Points of a Gauss rule over one step.
-const QUADRATURE: NonZeroUsize = NonZeroUsize::new(8).unwrap();
 
 /// A motion that repeats itself with every period of the input.
 #[derive(Clone, Debug)]
@@ -202,16 +198,13 @@ const fn stalls(start: f64, stall: Stall) -> NotSteady {
 
 /// Returns the derivative of half the squared speed after a period with respect to that before.
 fn multiplier<F: Fn(f64, f64) -> Reduced>(machine: &Machine<F>, turn: &Turn) -> f64 {
-    let rule = GaussLegendre::new(QUADRATURE);
-    let exponent = turn.steps.iter().map(|step| {
-        rule.integrate(step.start, step.start + step.width, |input| {
-            let omega = speed(&step.state(input).phase());
-            let [low, high] = [1.0 - DIFFERENCE, 1.0 + DIFFERENCE].map(|part| part * omega);
-            let [less, more] = [low, high].map(|omega| machine.acceleration(input, omega));
-            (more - less) / ((high - low) * omega)
-        })
+    let exponent = integral(&turn.steps, |state| {
+        let omega = speed(&state.phase());
+        let [low, high] = [1.0 - DIFFERENCE, 1.0 + DIFFERENCE].map(|part| part * omega);
+        let [less, more] = [low, high].map(|omega| machine.acceleration(state.time, omega));
+        (more - less) / ((high - low) * omega)
     });
-    exponent.sum::<f64>().exp()
+    exponent.exp()
 }
 
 /// Returns the steady state with its extreme speeds, at which the acceleration is zero.

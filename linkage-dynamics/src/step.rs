@@ -5,6 +5,11 @@
 
 use crate::phase::Phase;
 use crate::state::State;
+use gauss_quad::GaussLegendre;
+use std::num::NonZeroUsize;
+
+/// Points of a Gauss rule over one step: exact for products of two polynomials of a step.
+const QUADRATURE: NonZeroUsize = NonZeroUsize::new(8).unwrap();
 
 /// One more than the highest degree of dense output.
 pub(crate) const NODES: usize = 8;
@@ -74,6 +79,27 @@ impl<const N: usize> Step<N> {
             nodes: POINTS.map(|point| self.phase(share * point)),
         }
     }
+}
+
+/// Returns the step that a position belongs to: the first or the last one outside of all; `None`
+/// without steps.
+pub(crate) fn step_at<const N: usize>(steps: &[Step<N>], x: f64) -> Option<&Step<N>> {
+    let after = steps.partition_point(|step| step.start < x);
+    steps.get(after.saturating_sub(1))
+}
+
+/// Returns the integral of a function of the state over steps, by a Gauss rule of 8 points over
+/// each.
+pub(crate) fn integral<const N: usize>(
+    steps: &[Step<N>],
+    function: impl Fn(&State<N>) -> f64,
+) -> f64 {
+    let rule = GaussLegendre::new(QUADRATURE);
+    let integrals = steps.iter().map(|step| {
+        let end = step.start + step.width;
+        rule.integrate(step.start, end, |x| function(&step.state(x)))
+    });
+    integrals.sum()
 }
 
 #[cfg(test)]

@@ -8,7 +8,7 @@ use crate::equations_of_motion::Reduced;
 use crate::machine::Machine;
 use crate::observer::Receive;
 use crate::phase::{Phase, Rates};
-use crate::step::Step;
+use crate::step::{self, Step};
 use crate::stepper;
 
 /// Rates of time and half the squared speed over the input.
@@ -80,9 +80,7 @@ impl Turn {
 
     /// Returns the time since the start and the speed at an input.
     pub(crate) fn state(&self, input: f64) -> [f64; 2] {
-        let after = self.steps.partition_point(|step| step.start < input);
-        let step = self.steps.get(after.saturating_sub(1));
-        step.map_or([f64::NAN; 2], |step| {
+        step::step_at(&self.steps, input).map_or([f64::NAN; 2], |step| {
             let state = step.state(input);
             [state.inputs[0], speed(&state.phase())]
         })
