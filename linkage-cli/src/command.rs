@@ -6,6 +6,7 @@ use std::process::ExitCode;
 use clap::error::{ContextKind, ContextValue, ErrorKind};
 use clap::{CommandFactory, Parser, Subcommand};
 use linkage_compiler::shortened;
+use linkage_report::Mistake;
 
 mod arguments_given;
 mod assemblies;
@@ -29,6 +30,7 @@ mod page;
 mod range;
 mod replaced;
 mod robot;
+mod rounded;
 mod run;
 mod running_input;
 mod rust;
@@ -105,17 +107,11 @@ pub fn run() -> ExitCode {
     let result = match &command {
         Command::Check { files, dimensions } => check::run(files, dimensions),
         Command::Table(options) => {
-            if let Some(mistake) = options.mistake() {
-                let mut command = Arguments::command();
-                command.error(ErrorKind::ArgumentConflict, mistake).exit();
-            }
+            refuse_ambiguous(options.mistake());
             table::run(options)
         }
         Command::Run(options) => {
-            if let Some(mistake) = options.mistake() {
-                let mut command = Arguments::command();
-                command.error(ErrorKind::ArgumentConflict, mistake).exit();
-            }
+            refuse_ambiguous(options.mistake());
             run::run(options)
         }
         Command::New(options) => new::run(options),
@@ -141,6 +137,14 @@ pub fn run() -> ExitCode {
             eprint!("{failure}");
             ExitCode::FAILURE
         }
+    }
+}
+
+/// Exits if cells of a table are ambiguous.
+fn refuse_ambiguous(mistake: Option<Mistake>) {
+    if let Some(mistake) = mistake {
+        let mut command = Arguments::command();
+        command.error(ErrorKind::ArgumentConflict, mistake).exit();
     }
 }
 

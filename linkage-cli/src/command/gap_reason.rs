@@ -4,7 +4,11 @@ use linkage_compiler::length_as_written;
 use linkage_engine::{Assembly, Mechanism};
 
 use super::assemblies::placed;
+use super::rounded::rounded;
 use crate::failure::listed;
+
+/// Significant digits of a distance.
+const DIGITS: usize = 3;
 
 /// Returns `` at `x = 91 mm`: loop 1 (`psi`) misses by 1 mm ``, with joints and links if the text has
 /// them. `inputs` are all inputs of the mechanism.
@@ -20,7 +24,7 @@ pub(super) fn reason_of_gap(mechanism: &Mechanism, assembly: &Assembly, inputs: 
         Some(open) => {
             let group = mechanism.structure().groups[open];
             let unit = &mechanism.compiled().groups[open].gap_unit;
-            let (gap, unit) = length_as_written(rounded(gaps[open]), unit);
+            let (gap, unit) = length_as_written(rounded(gaps[open], DIGITS), unit);
             let loops = group.loop_names();
             let unknowns = listed(group.unknowns.iter().copied());
             let space = if unit.is_empty() { "" } else { " " };
@@ -36,9 +40,4 @@ pub(super) fn reason_of_gap(mechanism: &Mechanism, assembly: &Assembly, inputs: 
         }
     };
     format!("{at}: {why}")
-}
-
-/// Three digits of a distance.
-fn rounded(x: f64) -> f64 {
-    format!("{x:.2e}").parse().unwrap_or(x)
 }

@@ -14,6 +14,7 @@ use super::choose::Chosen;
 use super::gap_reason::reason_of_gap;
 use super::output::print;
 use super::range;
+use super::rounded::rounded;
 use super::sweep::arguments;
 use super::values::{Dimensions, number, parts};
 use crate::failure::{Failure, known_names, listed};
@@ -268,9 +269,9 @@ fn solution(result: impl Fn(f64) -> f64, nominal: f64, wanted: f64) -> Solution 
 
 /// A value with its unit, without the digits that are rounding.
 fn shown(x: f64, unit: &str) -> String {
-    let rounded = format!("{x:.*e}", DIGITS - 1).parse().unwrap_or(x);
+    let x = rounded(x, DIGITS);
     match unit {
-        "" => format!("{rounded}"),
-        unit => format!("{rounded} {unit}"),
+        "" => format!("{x}"),
+        unit => format!("{x} {unit}"),
     }
 }

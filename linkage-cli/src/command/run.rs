@@ -18,6 +18,7 @@ use super::csv_options::CsvOptions;
 use super::gap_reason::reason_of_gap;
 use super::output::put;
 use super::range;
+use super::rounded::rounded;
 use super::values::{Dimensions, number};
 use crate::failure::Failure;
 use crate::normal::normal;
@@ -92,15 +93,13 @@ fn moved<const N: usize>(options: &Options, driven: &Driven<'_>) -> Result<(), F
     let time = number(mechanism, "--for", &options.time, "s")?;
     let stops = Stop::all(driven, &options.stop)?;
     let assembly = &range::assembled(&options.dimensions, mechanism)?;
-    let arguments = driven.arguments();
     let [inputs, speeds] = driven.start::<N>();
     let method = match options.stiff {
         true => Method::Implicit,
         false => Method::Explicit,
     };
-    let accelerations = |_, inputs: [f64; N], speeds: [f64; N]| {
-        driven.accelerations(assembly, &arguments, inputs, speeds)
-    };
+    let accelerations =
+        |_, inputs: [f64; N], speeds: [f64; N]| driven.accelerations(assembly, inputs, speeds);
     let mut problem = Problem::new(accelerations)
         .start(inputs, speeds)
         .tolerance(options.tolerance)
@@ -127,16 +126,11 @@ fn moved<const N: usize>(options: &Options, driven: &Driven<'_>) -> Result<(), F
             eprintln!(
                 "note: `{}` after {} s",
                 options.stop[stop],
-                rounded(motion.end().time)
+                rounded(motion.end().time, DIGITS)
             );
         }
     }
     failure.map_or(Ok(()), |cause| Err(Failure::Told(cause)))
-}
-
-fn rounded(time: f64) -> f64 {
-    let digits = format!("{time:.*e}", DIGITS - 1);
-    digits.parse().unwrap_or(time)
 }
 
 /// The cause of a motion that ends early, with names of inputs.
@@ -149,7 +143,7 @@ fn explained<const N: usize>(
         Cause::DeadPoint { state, input } => format!(
             "the motion ends after {} s at a dead point, {}\nhelp: beyond it the links are in another assembly: \
              use an input that has no dead point there",
-            rounded(state.time),
+            rounded(state.time, DIGITS),
             placed(&mechanism.inputs()[*input], state.inputs[*input])
         ),
         Cause::Undefined { state, .. } => {
@@ -157,7 +151,7 @@ fn explained<const N: usize>(
             format!(
                 "the motion ends after {} s, since there are no accelerations beyond: {gap}\nhelp: look for a dead \
                  point, links without masses, or a load that is no number",
-                rounded(state.time)
+                rounded(state.time, DIGITS)
             )
         }
         other => other.to_string(),

@@ -3,6 +3,7 @@
 
 use linkage_engine::Mechanism;
 
+use super::super::rounded::rounded;
 use super::closures::{freedoms_left, motions};
 use super::coordinates::{Coordinate, values_at};
 use super::driven_joints::Motion;
@@ -22,7 +23,7 @@ const INNER_TARGETS: usize = 8;
 const GOLDEN: f64 = 0.618_033_988_749_894_9;
 
 /// Digits that a coefficient keeps if it is exact with them.
-const DIGITS: usize = 11;
+const DIGITS: usize = 12;
 
 /// Adds polynomials between joints to the relations of wheels as long as the declared joints leave
 /// more motions than the mechanism has. A polynomial that holds nothing is left out. `degree` is the
@@ -256,7 +257,7 @@ impl Fit<'_> {
 fn short(number: f64) -> f64 {
     match number.abs() < EXACT {
         true => 0.0,
-        false => format!("{number:.DIGITS$e}").parse().unwrap_or(number),
+        false => rounded(number, DIGITS),
     }
 }
 

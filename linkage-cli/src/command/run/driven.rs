@@ -1,7 +1,5 @@
 //! The equation of motion of a mechanism, from a function that returns its accelerations.
 
-use std::cell::RefCell;
-
 use linkage_compiler::ir::Role;
 use linkage_engine::{Assembly, Mechanism};
 
@@ -190,16 +188,13 @@ impl<'m> Driven<'m> {
     pub(super) fn accelerations<const N: usize>(
         &self,
         assembly: &Assembly<'_>,
-        arguments: &RefCell<Vec<f64>>,
         inputs: [f64; N],
         speeds: [f64; N],
     ) -> [f64; N] {
         if assembly.gaps(&inputs).iter().any(|gap| *gap > 0.0) {
             return [f64::NAN; N];
         }
-        let mut arguments = arguments.borrow_mut();
-        self.put(&mut arguments, inputs, speeds);
-        let results = assembly.call(self.function, &arguments);
+        let results = assembly.call(self.function, &self.arguments(inputs, speeds));
         std::array::from_fn(|input| results[self.accelerations[input]])
     }
 
@@ -210,8 +205,7 @@ impl<'m> Driven<'m> {
         inputs: [f64; N],
         speeds: [f64; N],
     ) -> Vec<f64> {
-        let mut arguments = self.given.clone();
-        self.put(&mut arguments, inputs, speeds);
+        let mut arguments = self.arguments(inputs, speeds);
         let results = assembly.call(self.function, &arguments);
         let taken = self.inputs.iter().zip(&self.accelerations);
         let taken = taken.filter_map(|(indices, &column)| Some((indices.acceleration?, column)));
@@ -225,16 +219,14 @@ impl<'m> Driven<'m> {
         assembly.call(self.function, &arguments)
     }
 
-    /// The arguments at the start, to be changed by evaluations.
-    pub(super) fn arguments(&self) -> RefCell<Vec<f64>> {
-        RefCell::new(self.given.clone())
-    }
-
-    fn put<const N: usize>(&self, arguments: &mut [f64], inputs: [f64; N], speeds: [f64; N]) {
+    /// The arguments of a state.
+    fn arguments<const N: usize>(&self, inputs: [f64; N], speeds: [f64; N]) -> Vec<f64> {
+        let mut arguments = self.given.clone();
         for (k, indices) in self.inputs.iter().enumerate() {
             arguments[indices.value] = inputs[k];
             arguments[indices.speed] = speeds[k];
         }
+        arguments
     }
 }
 
