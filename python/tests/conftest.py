@@ -1,8 +1,11 @@
 """Mechanisms that several tests use."""
 
 import os
+import signal
+import threading
 from pathlib import Path
 
+import _thread
 import linkage
 import pytest
 
@@ -64,6 +67,23 @@ def rocking():
 def _default_threads():
     yield
     linkage.set_threads(None)
+
+
+@pytest.fixture
+def ctrl_c():
+    """A function that interrupts the test after so many seconds, as Ctrl-C does."""
+    timers = []
+
+    def start(seconds: float):
+        timers.append(threading.Timer(seconds, _thread.interrupt_main))
+        timers[-1].start()
+
+    # A process in the background of a shell begins with the signal ignored, and then nothing arrives.
+    earlier = signal.signal(signal.SIGINT, signal.default_int_handler)
+    yield start
+    for timer in timers:
+        timer.join()
+    signal.signal(signal.SIGINT, earlier)
 
 
 def required(name: str) -> bool:

@@ -2,10 +2,8 @@
 
 import copy
 import pickle
-import threading
 import time
 
-import _thread
 import linkage
 import numpy as np
 import pytest
@@ -148,14 +146,17 @@ def test_mistakes_of_targets():
         linkage.Target("path", "tracer", POINTS, at=[1, 2, 3, 4, 5], step=1.0)
 
 
-def test_ctrl_c_ends_a_search_and_progress_is_shown(path_bar):
+def test_ctrl_c_ends_a_search_and_progress_is_shown(path_bar, ctrl_c):
     seen = []
-    timer = threading.Timer(0.5, _thread.interrupt_main)
-    timer.start()
+
+    def progress(*news):
+        if not seen:
+            ctrl_c(0.2)
+        seen.append(news)
+
     began = time.perf_counter()
     with pytest.raises(KeyboardInterrupt):
-        path_bar.design(**problem(starts=100_000_000, progress=lambda *news: seen.append(news)))
-    timer.join()
+        path_bar.design(**problem(starts=100_000_000, progress=progress))
     assert time.perf_counter() - began < 30
     done, all, least = seen[-1]
     assert 0 < done < all == 100_000_000 and least > 0.0

@@ -1,12 +1,9 @@
 """Mistakes are exceptions with clear texts."""
 
-import _thread
 import os
-import signal
 import subprocess
 import sys
 import textwrap
-import threading
 import time
 
 import linkage
@@ -107,21 +104,16 @@ def test_nothing_half_written_stays(bar, tmp_path):
 
 
 @pytest.mark.parametrize("threads", [1, 2])
-def test_ctrl_c_ends_a_long_sweep(m, threads):
+def test_ctrl_c_ends_a_long_sweep(m, threads, ctrl_c):
     linkage.set_threads(threads)
     phi = np.zeros(20_000_000) if threads == 1 else np.zeros(30_000_000)
-    # A process in the background of a shell begins with the signal ignored.
-    earlier = signal.signal(signal.SIGINT, signal.default_int_handler)
-    timer = threading.Timer(0.2, _thread.interrupt_main)
     m.path(phi[:10])
     began = time.perf_counter()
-    timer.start()
+    ctrl_c(0.2)
     with pytest.raises(KeyboardInterrupt):
         # Long enough on any machine: each round is a fraction of a second.
         for _ in range(1000):
             m.motion(phi)
-    timer.join()
-    signal.signal(signal.SIGINT, earlier)
     assert time.perf_counter() - began < 30
     assert np.isfinite(m.motion(1.0).psi)
 

@@ -101,10 +101,12 @@ def test_a_killed_worker_changes_nothing(cluster):
     count = 100_000
     alone = module.study_part(m, 3, count, 0, 1)
     processes = cluster.run(os.getpid)
-    task = cluster.submit(os.kill, next(iter(processes.values())), signal.SIGKILL, pure=False)
+    # From here, not as a task: a task that kills its worker is done again by the other one.
+    os.kill(next(iter(processes.values())), signal.SIGKILL)
     found = module.tolerances(cluster, m, 3, count, 6)
-    del task
     assert found.to_bytes() == alone.to_bytes()
+    # A question to a worker that is just being replaced may have no answer.
+    cluster.wait_for_workers(2, timeout=120)
     assert set(cluster.run(os.getpid).values()) != set(processes.values())
 
 
