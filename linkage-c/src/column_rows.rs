@@ -2,6 +2,7 @@
 
 use std::ops::RangeInclusive;
 
+use crate::surface::{API, Surface};
 use crate::writer::Writer;
 
 /// Positions of a block, and of one in halves: they stay close to each other in memory.
@@ -46,7 +47,16 @@ impl Rows<'_> {
                 (0..self.columns).map(|k| format!(", {number} *restrict {private}{half}c{k}"));
             inputs.chain(outputs).collect::<String>()
         });
+        // A row may need neither all arrays nor what they have in common.
+        let read = |halves: &[&str]| -> String {
+            let arrays = halves
+                .iter()
+                .flat_map(|half| (0..self.arrays).map(move |k| format!("{private}{half}x{k}")));
+            let named = std::iter::once(self.passed.clone()).chain(arrays);
+            named.map(|name| format!("    (void){name};\n")).collect()
+        };
         let rows = |kind: &str, parameters: &str, bodies: &[String]| {
+            let read = read(&HALVES[..bodies.len()]);
             let bodies: String = bodies
                 .iter()
                 .map(|body| format!("\n        {{\n{}\n        }}", body.trim_end()))
@@ -56,7 +66,7 @@ impl Rows<'_> {
 static void {name}_{kind}({shared}, size_t {private}count{parameters})
 {{
     size_t {private}k;
-    for ({private}k = 0; {private}k < {private}count; {private}k++) {{{}
+{read}    for ({private}k = 0; {private}k < {private}count; {private}k++) {{{}
     }}
 }}
 ",
@@ -67,7 +77,7 @@ static void {name}_{kind}({shared}, size_t {private}count{parameters})
         if self.has_halves() {
             text += &rows("halves", &(parameters + &others), &self.bodies);
         }
-        text + &self.blocks(number)
+        text + &self.blocks(writer.surface, number)
     }
 
     fn has_halves(&self) -> bool {
@@ -75,13 +85,14 @@ static void {name}_{kind}({shared}, size_t {private}count{parameters})
     }
 
     /// The function that is called.
-    fn blocks(&self, number: &str) -> String {
+    fn blocks(&self, surface: &Surface, number: &str) -> String {
         let Self {
             name,
             shared,
             passed,
             ..
         } = self;
+        let signature = signature(surface, name, shared);
         let block = match self.has_halves() {
             true => BLOCK_OF_HALVES,
             false => BLOCK,
@@ -109,7 +120,7 @@ static void {name}_{kind}({shared}, size_t {private}count{parameters})
         };
         format!(
             "
-void {name}({shared}, size_t count, const {number} *const *x, const size_t *steps, {number} *const *columns)
+{signature}
 {{
     size_t from, k;
 {constants}    for (from = 0; from < count; from += {block}) {{
@@ -120,4 +131,12 @@ void {name}({shared}, size_t count, const {number} *const *x, const size_t *step
 "
         )
     }
+}
+
+/// Returns the signature of a sweep with the parameter that all rows have in common.
+pub(crate) fn signature(surface: &Surface, name: &str, shared: &str) -> String {
+    let (api, number) = (surface.constant(API), surface.real.name());
+    format!(
+        "{api} void {name}({shared}, size_t count, const {number} *const *x, const size_t *steps, {number} *const *columns)"
+    )
 }

@@ -6,6 +6,7 @@ use linkage_compiler::ir::CompiledMechanism;
 use linkage_export::{FunctionDeclaration, Refused};
 use linkage_symbolic::program::Source;
 
+use crate::column_header::column_header;
 use crate::column_rows::{HALVES, Rows};
 use crate::comment::comment;
 use crate::evaluator::values;
@@ -21,7 +22,10 @@ use crate::{Sources, sources};
 pub struct ColumnSweeps {
     /// The header and the source.
     pub sources: Sources,
-    /// The text of one more source, which includes the other one and is compiled in its stead.
+    /// The text of one more header, `NAME_columns.h`, which declares `sweeps`.
+    pub header: String,
+    /// The text of one more source, `NAME_columns.c`, which includes the other one and is compiled
+    /// in its stead.
     pub columns: String,
     /// The function that closes the loops.
     pub assemble: String,
@@ -54,6 +58,7 @@ pub struct ColumnSweeps {
 /// let unit = checked.unit.expect("a mechanism without a mistake");
 /// let c = column_sweeps("Crank", &unit, Real::Double)?;
 /// assert_eq!(c.sweeps, [Some("crank_motion_sweep_columns".to_owned())]);
+/// assert!(c.header.contains("void crank_motion_sweep_columns(const crank *m, size_t count,"));
 /// assert!(c.columns.starts_with("/* Sweeps into columns. */\n#include \"crank.c\""));
 /// # Ok::<(), linkage_c::Refused>(())
 /// ```
@@ -67,8 +72,8 @@ pub fn column_sweeps(
     let mut columns = comment("", "Sweeps into columns.");
     let _ = writeln!(
         columns,
-        "#include \"{}.c\"\n\n#include <string.h>",
-        sources.name
+        "#include \"{name}.c\"\n#include \"{name}_columns.h\"\n\n#include <string.h>",
+        name = sources.name
     );
     let mut writer = writer(&surface);
     let functions = surface.declarations.functions.iter();
@@ -89,6 +94,7 @@ pub fn column_sweeps(
         }));
     }
     Ok(ColumnSweeps {
+        header: column_header(&surface, &sweeps),
         sweeps,
         sets,
         columns,

@@ -33,6 +33,7 @@
 mod arithmetic;
 mod assemble;
 mod c_names;
+mod column_header;
 mod column_rows;
 mod column_sweeps;
 mod comment;

@@ -239,6 +239,7 @@ impl Mechanism {
         let printed = column_sweeps(name, unit, Real::Double);
         let ColumnSweeps {
             sources,
+            header,
             columns,
             assemble,
             assembly_size,
@@ -250,6 +251,7 @@ impl Mechanism {
         let files = vec![
             (format!("{}.h", sources.name), sources.header),
             (format!("{}.c", sources.name), sources.source),
+            (format!("{}_columns.h", sources.name), header),
             (main.clone(), columns),
         ];
         let functions = [assemble, assembly_size, error];

@@ -5,7 +5,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
-use linkage_c::Sources;
+use linkage_c::{ColumnSweeps, Sources};
 
 /// What no file may be warned of.
 pub(crate) const WARNINGS: [&str; 6] = [
@@ -96,6 +96,15 @@ pub(crate) fn write(folder: &Path, sources: &Sources) {
     let file = |end: &str| folder.join(&sources.name).with_extension(end);
     fs::write(file("h"), &sources.header).expect("a header can be written");
     fs::write(file("c"), &sources.source).expect("a source can be written");
+}
+
+/// Writes all four files.
+pub(crate) fn write_columns(folder: &Path, sweeps: &ColumnSweeps) {
+    write(folder, &sweeps.sources);
+    for (end, text) in [("h", &sweeps.header), ("c", &sweeps.columns)] {
+        let file = folder.join(format!("{}_columns.{end}", sweeps.sources.name));
+        fs::write(file, text).expect("a file can be written");
+    }
 }
 
 /// Runs a compiled program with numbers at its input, under an emulator if there is one; what it writes.

@@ -2,9 +2,10 @@
 
 use std::f64::consts::PI;
 use std::fs;
+use std::path::Path;
 use std::process::Command;
 
-use linkage_c::{Real, sources};
+use linkage_c::{Real, column_sweeps, sources};
 
 use crate::machine::{self, Compiler, WARNINGS};
 use linkage_corpus::given::Given;
@@ -53,14 +54,19 @@ fn printed(name: &str, own: &Given, program: &str, real: Real) -> Option<String>
         &folder,
         &sources(&own.name, &own.unit, real).expect("it can be exported"),
     );
+    Some(run(&compiler, &folder, program, "press.c"))
+}
+
+/// What a program prints that is compiled with a source of its folder.
+fn run(compiler: &Compiler, folder: &Path, program: &str, source: &str) -> String {
     fs::write(folder.join("main.c"), program).expect("C can be written");
-    let mut arguments = vec!["-std=c99", "-O2", "main.c", "press.c", "-o", "main", "-lm"];
+    let mut arguments = vec!["-std=c99", "-O2", "main.c", source, "-o", "main", "-lm"];
     arguments.extend(WARNINGS);
-    compiler.run(&folder, &arguments);
+    compiler.run(folder, &arguments);
     let output = Command::new(folder.join("main")).output();
     let output = output.expect("the program runs");
     assert!(output.status.success());
-    Some(String::from_utf8(output.stdout).expect("a text"))
+    String::from_utf8(output.stdout).expect("a text")
 }
 
 /// Crank and offset of the page's press.
@@ -109,6 +115,20 @@ fn the_check_of_a_range_finds_what_the_page_says() {
     let end = PI + f64::asin((45.0 - OFFSET) / CRANK);
     let expected = format!("3: {:.2} to {:.2} rad, 5.0 mm\n", end, 3.0 * PI - end);
     assert_eq!(printed, expected);
+}
+
+#[test]
+fn columns_have_the_rams_positions() {
+    let Some(compiler) = Compiler::find() else {
+        return;
+    };
+    let folder = machine::folder("page_columns");
+    let own = press();
+    let sweeps = column_sweeps(&own.name, &own.unit, Real::Double).expect("it can be exported");
+    machine::write_columns(&folder, &sweeps);
+    let printed = run(&compiler, &folder, blocks(PAGE, "c")[3], "press_columns.c");
+    let [expected, ..] = ram(150.0, PI / 2.0);
+    assert_eq!(printed, format!("{expected:.3} mm at 90 degrees\n"));
 }
 
 #[test]

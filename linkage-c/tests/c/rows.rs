@@ -4,7 +4,7 @@ use std::fmt::Write;
 use std::fs;
 use std::process::Command;
 
-use linkage_c::{Real, Sources, sources};
+use linkage_c::{ColumnSweeps, Real, Sources, column_sweeps, sources};
 use linkage_corpus::given::golden;
 
 use crate::machine::{self, Compiler, WARNINGS};
@@ -122,4 +122,63 @@ fn rows_have_the_bits_of_single_calls() {
         }
     }
     assert!(count > 20, "{count} functions");
+}
+
+/// A program that returns the number of positions at which columns have other bits than single calls: where all arguments move, and where
+/// the last one stands still.
+fn comparison_of_columns(sweeps: &ColumnSweeps) -> String {
+    let prefix = &sweeps.sources.name;
+    let upper = prefix.to_uppercase();
+    let mut text = format!(
+        "#include \"{prefix}_columns.h\"\n#include <string.h>\nint main(void)\n{{\n    const {prefix}_dimensions d = {upper}_DEFAULTS;\n    \
+         static {prefix} m;\n    static double x[1003];\n    int k, moves, other = 0;\n    \
+         if ({prefix}_assemble(&m, &d) != 0) return 100;\n    for (k = 0; k < 1003; k++) x[k] = -7.0 + 0.014 * k;\n    \
+         for (moves = 0; moves < 2; moves++) {{\n"
+    );
+    for (name, inputs) in swept(&sweeps.sources) {
+        let columns = format!("{}_COLUMNS", name.to_uppercase());
+        let first = inputs - 1;
+        let (arrays, steps, single) = (
+            "x, ".repeat(first),
+            "1, ".repeat(first),
+            ", x[k]".repeat(first),
+        );
+        let _ = write!(
+            text,
+            "    {{\n        static double numbers[{columns}][1003];\n        double *columns[{columns}];\n        \
+             const double *arrays[] = {{ {arrays}x }};\n        size_t steps[] = {{ {steps}0 }}, i;\n        \
+             steps[{first}] = (size_t)moves;\n        \
+             for (i = 0; i < {columns}; i++) columns[i] = numbers[i];\n        \
+             {name}_sweep_columns(&m, 1003, arrays, steps, columns);\n        \
+             for (k = 0; k < 1003; k++) {{\n            const {name}_result one = {name}(&m{single}, x[moves ? k : 0]);\n            \
+             double a[sizeof one / sizeof(double)];\n            memcpy(a, &one, sizeof a);\n            \
+             if (sizeof a / sizeof *a != {columns}) return 101;\n            for (i = 0; i < {columns}; i++)\n                \
+             other += a[i] != a[i] ? numbers[i][k] == numbers[i][k] : memcmp(&a[i], &numbers[i][k], sizeof *a) != 0;\n        }}\n    }}\n"
+        );
+    }
+    text + "    }\n    return other > 99 ? 99 : other;\n}\n"
+}
+
+#[test]
+fn columns_have_the_bits_of_single_calls() {
+    let folder = machine::folder("columns_bits");
+    let compiler = Compiler::named("gcc").expect("a compiler");
+    let mut count = 0;
+    // Compilers take their time for these files.
+    for given in golden().into_iter().step_by(3) {
+        let sweeps =
+            column_sweeps(&given.name, &given.unit, Real::Double).expect("it can be exported");
+        let name = &sweeps.sources.name;
+        count += swept(&sweeps.sources).len();
+        machine::write_columns(&folder, &sweeps);
+        fs::write(folder.join("main.c"), comparison_of_columns(&sweeps)).expect("a file");
+        let flags = ["-std=c99", "-O3", "-march=native", "-ffp-contract=off"];
+        let source = format!("{name}_columns.c");
+        let files = ["main.c", &source[..], "-o", "main", "-lm"];
+        compiler.run(&folder, &[&flags[..], &WARNINGS, &files].concat());
+        let run = Command::new(folder.join("main")).status();
+        let other = run.expect("the program runs").code();
+        assert_eq!(other, Some(0), "{name}");
+    }
+    assert!(count > 8, "{count} functions");
 }

@@ -4,7 +4,7 @@ use std::fs;
 use std::path::PathBuf;
 
 use clap::{Args, ValueEnum};
-use linkage_c::{Real, Sources, all_sources};
+use linkage_c::{Real, Refused, Sources, all_sources, column_sweeps};
 use linkage_engine::Mechanism;
 
 use super::choose::Chosen;
@@ -27,6 +27,9 @@ pub(super) struct Options {
     /// What is computed with; with `float` nothing is computed in double
     #[arg(long, value_enum, default_value_t = Scalar::Double)]
     scalar: Scalar,
+    /// Two more files for each mechanism: sweeps into an array for each number of a result
+    #[arg(long)]
+    columns: bool,
 }
 
 #[derive(Clone, Copy, Debug, ValueEnum)]
@@ -56,11 +59,23 @@ pub(super) fn run(options: &Options) -> Result<(), Failure> {
         .iter()
         .map(|mechanism| (mechanism.name(), mechanism.compiled()))
         .collect();
-    let all = all_sources(&named, options.scalar.real())
-        .map_err(|refused| Failure::Told(refused.to_string()))?;
+    let refused = |refused: Refused| Failure::Told(refused.to_string());
+    let real = options.scalar.real();
+    let all = all_sources(&named, real).map_err(refused)?;
+    let mut columns = Vec::new();
+    for (name, unit) in named.iter().filter(|_| options.columns) {
+        columns.push(column_sweeps(name, unit, real).map_err(refused)?);
+    }
     let folder = &options.output;
     refuse_mechanism(folder, options.chosen.file())?;
     fs::create_dir_all(folder).map_err(|error| Failure::file("make", folder, &error))?;
+    let write = |file: String, text: &str| -> Result<(), Failure> {
+        let path = folder.join(file);
+        put(Some(&path), options.chosen.file(), |out| {
+            out.write_all(text.as_bytes())
+        })?;
+        print(&format!("{}\n", path.display()))
+    };
     for Sources {
         name,
         header,
@@ -68,16 +83,16 @@ pub(super) fn run(options: &Options) -> Result<(), Failure> {
         renamed,
     } in &all
     {
-        for (ending, text) in [("h", header), ("c", source)] {
-            let path = folder.join(format!("{name}.{ending}"));
-            put(Some(&path), options.chosen.file(), |out| {
-                out.write_all(text.as_bytes())
-            })?;
-            print(&format!("{}\n", path.display()))?;
-        }
+        write(format!("{name}.h"), header)?;
+        write(format!("{name}.c"), source)?;
         for note in renamed {
             eprintln!("note: {name}.h: {note}");
         }
+    }
+    for sweeps in &columns {
+        let name = &sweeps.sources.name;
+        write(format!("{name}_columns.h"), &sweeps.header)?;
+        write(format!("{name}_columns.c"), &sweeps.columns)?;
     }
     Ok(())
 }

@@ -41,6 +41,24 @@ fn mechanisms_of_rust_files_are_printed_too() {
     assert_eq!(said, "./favorit.h\n./favorit.c\n");
 }
 
+#[test]
+fn sweeps_into_columns_have_files_of_their_own() {
+    let folder = folder("c_columns");
+    let said = printed(&folder, &["c", favorit(), "--columns"]);
+    let files = [
+        "favorit.h",
+        "favorit.c",
+        "favorit_columns.h",
+        "favorit_columns.c",
+    ];
+    assert_eq!(said, files.map(|file| format!("./{file}\n")).concat());
+    let header = fs::read_to_string(folder.join("favorit_columns.h")).expect("it was written");
+    assert!(
+        header.contains("columns: p10.x (mm), p10.y (mm), v.x (mm/rad),"),
+        "{header}"
+    );
+}
+
 /// The folder cannot be made where a file stands: nothing is written.
 #[test]
 fn a_folder_that_cannot_be_made_is_told() {
