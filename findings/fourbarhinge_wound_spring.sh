@@ -1,10 +1,10 @@
 #!/usr/bin/env bash
 # fourbarhinge 0.1.2, four-bar hinges with springs: a torsion spring that is wound by more than half a turn.
 #
-# Behaviour: the winding of a spring is brought to the range of half a turn to each side. Between the frame and the input
-# bar, a spring that is wound by 170 degrees has the torque for 170 degrees, and one that is wound by 190 degrees has the
-# one for 170 degrees in the other direction. A spring that is wound by a whole turn has no torque and no energy. There
-# is no message.
+# Behaviour: the winding of a spring is brought to the range of half a turn to each side. Between the frame and the
+# input bar, a spring that is wound by 170 degrees has the torque for 170 degrees. One that is wound by 190 degrees has
+# that torque in the other direction. A spring that is wound by a whole turn has no torque and no energy. There is no
+# message.
 #
 # Guess before: the torque is the constant times the winding, as in a garage door, whose springs have several turns.
 #

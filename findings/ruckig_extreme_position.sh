@@ -39,7 +39,8 @@ def compare(name, sign, exact, **values):
     position, time = max((sign * trajectory.at_time(time)[0][0], time) for time in times)
     bound = trajectory.position_extrema[0]
     listed, listed_time = (bound.max, bound.t_max) if sign > 0 else (bound.min, bound.t_min)
-    print(f"{name}: {sign * position * 1e3:.2f} mm at {time:.3f} s, listed {listed * 1e3:.2f} mm at {listed_time:.3f} s")
+    print(f"{name}: {sign * position * 1e3:.2f} mm at {time:.3f} s, "
+          f"listed {listed * 1e3:.2f} mm at {listed_time:.3f} s")
     assert exact is None or abs(sign * position - exact) < 1e-6
     return abs(listed - sign * position) * 1e3
 
