@@ -7,7 +7,7 @@
 # ones. No message is printed, and the next angle can be right to 1e-3 mm. coal, which began as a fork of FCL, is right
 # to 2e-3 mm in metres.
 #
-# Guess before: the distance of two convex bodies is right to about 1e-6 of their size, in each unit of length.
+# A fair guess: the distance of two convex bodies is right to about 1e-6 of their size, in each unit of length.
 #
 # Source: the documentation of FCL has the exact positive distance for objects that are apart. Its request 321 gave
 # spheres and cylinders a formula of their own, since small features had wrong distances.

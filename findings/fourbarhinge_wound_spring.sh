@@ -6,7 +6,7 @@
 # that torque in the other direction. A spring that is wound by a whole turn has no torque and no energy. There is no
 # message.
 #
-# Guess before: the torque is the constant times the winding, as in a garage door, whose springs have several turns.
+# A fair guess: the torque is the constant times the winding, as in a garage door, whose springs have several turns.
 #
 # Source: the README has torsion springs in the hinges without a range of their angle. A comment in the code names the
 # range, as a cure for jumps of other angles.

@@ -5,7 +5,7 @@
 # the square of the ratio. A motor with nearly all of the inertia starts five times too fast through a ratio of 5, and
 # 25 times too fast through two such stages. A speed that has settled is right, since no inertia is in it.
 #
-# Guess before: seen from the wheel, an inertia on the motor's shaft counts with the square of the ratio, as the kinetic
+# A fair guess: seen from the wheel, an inertia on the motor's shaft counts with the square of the ratio, as the kinetic
 # energy of the shafts requires, so the motor's shaft begins with torque over inertia.
 #
 # Source: the documentation of `Solver.run` states that each inertia is multiplied by its gear ratio, without a reason.

@@ -6,7 +6,7 @@
 # would be 0.2 Nm, and with the efficiency it is 0.16 Nm. The motor brakes with more power than the load has, and
 # settles at 1500 rad/s in place of 1320 rad/s. A load that resists is right: its 0.1 Nm takes 0.025 Nm of the motor.
 #
-# Guess before: losses take power away from the side that drives, so a load that drives is multiplied by the efficiency.
+# A fair guess: losses take power away from the side that drives, so a load that drives is multiplied by the efficiency.
 #
 # Source: `add_gear_mating` documents that the gear closest to the motor transfers a fraction of the driving torque. The
 # text has no case of a load that drives.

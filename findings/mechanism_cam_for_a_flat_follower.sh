@@ -6,7 +6,7 @@
 # lifts the follower by 9.7 mm where the motion law has 4.8 mm, and the profile is hollow, where a flat follower bridges
 # it. A roller of 8 mm, for which the cam is sized too, is off by 1.5 mm.
 #
-# Guess before: the profile is the envelope of the follower, so the follower moves by the motion law, and the smallest
+# A fair guess: the profile is the envelope of the follower, so the follower moves by the motion law, and the smallest
 # radius of curvature is the one that was asked for.
 #
 # Source: the README announces coordinates of profiles for roller and flat followers that can be machined. Below an

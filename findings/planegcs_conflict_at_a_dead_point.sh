@@ -8,7 +8,7 @@
 # drawn flat and driven to 10 degrees is solved, with the status of success, and has three conflicting constraints.
 # A caller who deletes a conflicting constraint removes a link of a correct mechanism.
 #
-# Guess before: constraints conflict if they have no common solution, so a drawing that was solved has no conflict.
+# A fair guess: constraints conflict if they have no common solution, so a drawing that was solved has no conflict.
 #
 # Source: the README does not name the list. `has_gcs_conflicting_constraints` and
 # `get_gcs_conflicting_constraints` are declared beside the redundant ones, without a comment.

@@ -6,7 +6,7 @@
 # rest at the start: it divides the time by its last value, and takes the first one for zero. The end is right. For the
 # same times `quintic`, `trapezoidal` and `mtraj` begin at rest at the start.
 #
-# Guess before: each function of a vector of times moves from the first time to the last one.
+# A fair guess: each function of a vector of times moves from the first time to the last one.
 #
 # Source: the documentation of `jtraj` has q0 and qf as the initial and the final coordinate. A note states that the
 # scale of velocity and acceleration assumes times that begin at zero. Positions are not in it.

@@ -7,7 +7,7 @@
 # `find_roots_sturm` and `find_roots_quartic` read it from the highest power on. In the other order it finds all four.
 # No error is returned. `find_roots_quartic` is right.
 #
-# Guess before: all three functions find the four roots of the same polynomial, and the rod is closed for each of them.
+# A fair guess: all three functions find the four roots of the same polynomial, and the rod is closed for each of them.
 #
 # Source: the documentation of `find_roots_sturm` has x^n + a[0]*x^(n-1) + ... and promises all roots. The one of
 # `find_roots_eigen` has the example x^3 - x, whose list reads the same in both orders. Issue 35 of the crate reports a

@@ -6,7 +6,7 @@
 # the list has 86.7 mm at 0.2 s. An axis that starts backwards to reach a speed of 1 m/s at the target moves back by
 # 346.7 mm, and the list has 293.7 mm. Turning points in a phase of changing acceleration are right.
 #
-# Guess before: the extreme positions and their times are those of the trajectory, up to rounding.
+# A fair guess: the extreme positions and their times are those of the trajectory, up to rounding.
 #
 # Source: the README lists `get_position_extrema` with information about the extreme positions and their times. Issue
 # 215 of the project, which is open, reports a difference for another trajectory.

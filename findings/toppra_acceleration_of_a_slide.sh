@@ -6,7 +6,7 @@
 # through the points of the grid, which swings where the exact acceleration jumps. With
 # `parametrizer="ParametrizeConstAccel"` the limit is held to 1e-6. The duration of 1.5 s is right in both cases.
 #
-# Guess before: limits are exceeded by an error of the grid, if at all, which goes to zero with the size of its steps.
+# A fair guess: limits are exceeded by an error of the grid, if at all, which goes to zero with the size of its steps.
 #
 # Source: the documentation of the constraint has the limits as bounds of the joint's acceleration. Issue 150 of the
 # project names the spline as the reason, and the other setting as the remedy. The default has stayed.

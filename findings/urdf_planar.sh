@@ -6,7 +6,7 @@
 # leave the axis out. It has three coordinates in the first three, and two in urchin, which cannot turn it. yourdfpy
 # lists the joint with two values and accepts only one, which does not move the body. None prints a message.
 #
-# Guess before: a planar joint has two shifts and one turn, in the plane normal to its axis, in each reader that accepts
+# A fair guess: a planar joint has two shifts and one turn, in the plane normal to its axis, in each reader that accepts
 # it.
 #
 # Source: the URDF page of `joint` states that a planar joint allows motion in a plane perpendicular to the axis. The
