@@ -133,6 +133,53 @@ fn a_motion_ends_where_that_of_the_command_ends() {
 }
 
 #[test]
+fn dead_points_end_other_motions() {
+    let given = [
+        "others.mech",
+        "--mechanism",
+        "Piston",
+        "--for",
+        "2s",
+        "--steps",
+        "11",
+    ];
+    let Some(mut motion) = Motion::new("dead", &given) else {
+        return;
+    };
+    for (name, value, further, at) in [
+        ("rod", "110", ["--set", "rod=110mm"], "y = 140 mm"),
+        ("push", "-40", ["--at", "push=-40N"], "y = 90 mm"),
+        // It turns before it reaches the other one.
+        ("v", "-700", ["--at", "v=-700mm/s"], "y = 150 mm"),
+    ] {
+        motion
+            .page
+            .value("document.getElementById('reset').click()");
+        motion.set(name, value);
+        let (expected, message) = motion.command(&further);
+        assert!(
+            message.contains(&format!("at a dead point, {at}")),
+            "{message}"
+        );
+        let words = format!("at a dead point, {at}.");
+        assert!(motion.remark().contains(&words), "{}", motion.remark());
+        // Accelerations grow beyond all bounds there.
+        let columns = |rows: &[Vec<f64>]| {
+            rows[..10]
+                .iter()
+                .map(|row| vec![row[0], row[1], row[2], row[4]])
+                .collect()
+        };
+        let [shown, expected]: [Vec<Vec<f64>>; 2] =
+            [columns(&motion.shown("stroke")), columns(&expected)];
+        // The last steps before it end at other times.
+        assert_near(&shown, &expected, 1e-4, name);
+        assert!(motion.drift() < 1e-6, "{name}: {}", motion.drift());
+    }
+    motion.page.assert_quiet();
+}
+
+#[test]
 fn stops_of_the_command_stop_other_motions() {
     let press = ["press.mech", "--for", "9s", "--steps", "5"];
     for (name, stops, value, at, stop) in [

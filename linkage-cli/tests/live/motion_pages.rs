@@ -36,7 +36,7 @@ const PRESS: &str = "
     }
 ";
 
-/// Two stones that fall beside each other, and a lever whose input is a length with an end.
+/// Two stones that fall beside each other, a lever whose input is a length with an end, and a piston with a crank that has dead points.
 const OTHERS: &str = "
     pub struct Stones {
         unit m;
@@ -58,6 +58,19 @@ const OTHERS: &str = "
         force (push, 0) on ram at (s, 0);
     }
     impl Jack { pub fn lift(s, v, push) -> Lift { a: driven_acceleration(s), psi } }
+    pub struct Piston {
+        unit mm;
+        param rod = 120mm;
+        argument push = 20N;
+        input y = 120mm in 100mm..140mm at v;
+        unknown phi = 60deg;
+        unknown theta = -20deg;
+        loop polar(30mm, phi) + polar(rod, theta) = (y, 0);
+        body wheel = pin on frame at (0, 0), turns phi, inertia 500kg*mm^2;
+        body ram = slide on frame at (y, 0) along (1, 0), mass 1kg at (y, 0);
+        force (push, 0) on ram at (y, 0);
+    }
+    impl Piston { pub fn stroke(y, v, push) -> Stroke { a: driven_acceleration(y), phi } }
 ";
 
 /// Calls `linkage run` on one of the texts.

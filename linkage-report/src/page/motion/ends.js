@@ -7,8 +7,11 @@ const OTHER_SLOPE = 0.5;
 const SPEED_NOISE = 100;
 // The part of a step over which a slope is taken.
 const SLOPE_SPAN = 1e-3;
-// A motion that halts with an input slower than this part of its largest speed may be at a dead point.
-const SLOW_SPEED = 0.05;
+// Parts of the largest speed below which a dead point is looked for ahead: after each step, and after the last one. Nearer to it an input has no digits for its
+// distance.
+const SLOW_SPEED = { step: 1e-4, last: 0.05 };
+// Multiples of the tolerance that are slow, too.
+const SMALL_SPEED = 20;
 // The change of the acceleration on half of the way to rest below which it is the same.
 const STEADY_CHANGE = 0.05;
 
@@ -16,8 +19,8 @@ function isOtherSlope(slope, acceleration) {
   return Math.abs(slope - acceleration) > OTHER_SLOPE * Math.max(Math.abs(slope), Math.abs(acceleration));
 }
 
-// Looks at the steps of a motion: returns the first end within a step, or null.
-function watchedEnds(programs, rates) {
+// Looks at the steps of a motion: returns the first end within a step or directly after it, or null. `fastest` gets the largest speed of each input.
+function watchedEnds(programs, rates, fastest) {
   const heights = stopHeights(programs);
   // A value that is zero keeps the sign before it.
   const last = heights.map(() => null);
@@ -36,7 +39,11 @@ function watchedEnds(programs, rates) {
       const part = deadPointWithin(step, rates, k);
       if (part !== null) found.push({ why: "dead point", input: k, part });
     }
-    if (found.length === 0) return null;
+    if (found.length === 0) {
+      const end = { time: step.time + step.width, state: step.to };
+      noteSpeeds(fastest, end.state);
+      return deadPointAhead(rates, end, fastest, SLOW_SPEED.step, driven.tolerance);
+    }
     const first = found.reduce((best, own) => (own.part < best.part ? own : best));
     return { ...first, time: step.time + first.part, state: step.after(first.part) };
   };
@@ -54,20 +61,26 @@ function deadPointWithin(step, rates, k) {
   return isOtherSlope(slope, accelerationAt(rates, step.after(part), k)) ? part : null;
 }
 
+function noteSpeeds(fastest, state) {
+  for (let k = 0; k < fastest.length; k += 1) fastest[k] = Math.max(fastest[k], Math.abs(state[fastest.length + k]));
+}
+
 function accelerationAt(rates, state, k) {
   const out = new Float64Array(state.length);
   rates(state, out);
   return out[driven.inputs.length + k];
 }
 
-// The input that comes to its dead point directly after a motion has halted, with the time and the state there; null if none does. A slow input that brakes
-// comes to rest within `-v / a`. Where its acceleration is the same after half of that time, it is nearly the same at rest; at a dead point it is not.
-function deadPointAhead(rates, { time, state }, fastest) {
+// The input that comes to its dead point directly after a state, with the time and the state there, and that last state; null if none does. Speeds below `least` are rounding. A slow
+// input that brakes comes to rest within `-v / a`. Where its acceleration is the same after half of that time, it is nearly the same at rest; at a dead point it is not.
+function deadPointAhead(rates, { time, state }, fastest, slow, least) {
   const count = driven.inputs.length;
   for (let k = 0; k < count; k += 1) {
+    const speed = Math.abs(state[count + k]);
+    if (!(speed >= least && speed < Math.max(slow * fastest[k], SMALL_SPEED * least))) continue;
     const acceleration = accelerationAt(rates, state, k);
     const left = -state[count + k] / acceleration;
-    if (!(Math.abs(state[count + k]) < SLOW_SPEED * fastest[k] && left > 0 && Number.isFinite(left))) continue;
+    if (!(left > 0 && Number.isFinite(left))) continue;
     const after = (part) => {
       const next = Float64Array.from(state);
       for (let i = 0; i < count; i += 1) next[i] += part * left * state[count + i] * (i === k ? 1 - 0.5 * part : 1);
@@ -76,7 +89,7 @@ function deadPointAhead(rates, { time, state }, fastest) {
     };
     const isSteady = Math.abs(accelerationAt(rates, after(0.5), k) - acceleration) <= STEADY_CHANGE * Math.abs(acceleration);
     const atRest = accelerationAt(rates, after(1), k);
-    if (isSteady && (Number.isNaN(atRest) || isOtherSlope(acceleration, atRest))) return { why: "dead point", input: k, time: time + left, state: after(1) };
+    if (isSteady && (Number.isNaN(atRest) || isOtherSlope(acceleration, atRest))) return { why: "dead point", input: k, time: time + left, state: after(1), last: { time, state } };
   }
   return null;
 }

@@ -28,17 +28,16 @@ function fillMotion() {
   const first = [...driven.inputs.map(({ name }) => live.given.get(name)), ...driven.inputs.map(({ speed }) => live.given.get(speed)), 0];
   const fastest = Float64Array.from(first.slice(count, 2 * count), Math.abs);
   const problem = { rates, state: first, tolerance: driven.tolerance, mostSteps: MOST_MOTION_STEPS };
-  const see = (state) => fastest.forEach((most, k) => (fastest[k] = Math.max(most, Math.abs(state[count + k]))));
-  let end = integrated({ ...problem, times: evenTimes(driven.until), watch: watchedEnds(programs, rates), take: (row, state, slopes) => { see(state); takeRow(row, state, slopes); } });
-  if (end !== null && end.why === "undefined" && end.time > 0) end = deadPointAhead(rates, end, fastest) ?? end;
+  let end = integrated({ ...problem, times: evenTimes(driven.until), watch: watchedEnds(programs, rates, fastest), take: takeRow });
+  if (end?.why === "undefined" && end.time > 0) end = deadPointAhead(rates, end, fastest, SLOW_SPEED.last, 0) ?? end;
   motionEnd.words = endWords(programs, end);
-  const last = end === null ? driven.until : end.time;
-  const times = evenTimes(last);
+  const last = end?.last ?? end;
+  const times = evenTimes(last?.time ?? driven.until);
   times.forEach((time, row) => (input.values[row] = time));
   if (end === null) return;
   // Where it cannot begin, every row is the start.
-  for (let row = 0; row < rowCount; row += 1) takeRow(row, end.state, end.rates ?? ratesAt(rates, end.state));
-  if (last > 0) integrated({ ...problem, times: times.slice(0, -1), take: takeRow });
+  for (let row = 0; row < rowCount; row += 1) takeRow(row, last.state, ratesAt(rates, last.state));
+  if (last.time > 0) integrated({ ...problem, times: times.slice(0, -1), take: takeRow });
 }
 
 function ratesAt(rates, state) {
@@ -61,6 +60,10 @@ function energyColumn(name) {
   return report.tables[driven.energy.table].columns.find((column) => column.name === name);
 }
 
+function numberOrNull(value) {
+  return Number.isFinite(value) ? value : null;
+}
+
 // Energies of all rows, and by how much their sum differs from the start and the work.
 function fillEnergy() {
   const programs = motionPrograms();
@@ -74,8 +77,8 @@ function fillEnergy() {
       state[count + k] = course.get(speed)[row];
     });
     const results = energies(state);
-    [kinetic[row], potential[row]] = [results[2 * count], results[2 * count + 1]];
-    drift[row] = kinetic[row] + potential[row] - kinetic[0] - potential[0] - work[row];
+    [kinetic[row], potential[row]] = [results[2 * count], results[2 * count + 1]].map(numberOrNull);
+    drift[row] = numberOrNull(results[2 * count] + results[2 * count + 1] - kinetic[0] - potential[0] - work[row]);
   }
 }
 

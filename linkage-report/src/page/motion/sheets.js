@@ -31,7 +31,7 @@ function portraits() {
 
 function energyCharts() {
   const time = { values: input.values, unit: input.unit };
-  const curves = (names) => names.map((name) => chartCurve(name, time, motionColumn(driven.energy.table, name)));
+  const curves = (names) => names.map((name, k) => ({ ...chartCurve(name, time, motionColumn(driven.energy.table, name)), colour: `var(--curve-${k})`, dash: DASHES[k] }));
   return [
     makeChart("energies", "Kinetic and potential energy, and the work of motors and dampers", { x: input.name, y: "energy" }, curves(["kinetic", "potential", "work"])),
     makeChart("drift", "Energy less that of the start and the work", { x: input.name, y: "drift" }, curves(["drift"])),
