@@ -239,7 +239,7 @@ mod tests {
         assert!(cycle < 6_500, "{cycle} bytes");
         assert!(overlaps < 1_200, "{overlaps} bytes");
         let motion = bare(&[&MOTION.join("\n"), INTEGRATOR, MOTION_STYLE].join("\n")).len();
-        assert!(motion < 23_000, "{motion} bytes");
+        assert!(motion < 25_000, "{motion} bytes");
     }
 
     /// Comments are left out line by line: a text over lines would lose some.
