@@ -1,5 +1,7 @@
 //! Pages of motions under forces: their rows are those of the command, for the text and for other loads, dimensions and starts.
 
+use std::f64::consts::TAU;
+
 use linkage_browser::{PHONE, Page};
 
 use crate::motion_pages::{Motion, assert_near};
@@ -22,10 +24,20 @@ fn rows_are_those_of_the_command() {
         text.split(['M', 'L']).count() - 1
     };
     assert_eq!(places(&mut motion.page, "#panels"), 41);
-    assert_eq!(
-        places(&mut motion.page, "[data-chart=\"portrait phi\"]"),
-        41
-    );
+    let portrait = "[data-chart=\"portrait phi\"]";
+    assert_eq!(places(&mut motion.page, portrait), 41);
+    // Within one turn a line begins with each turn.
+    motion
+        .page
+        .value("document.getElementById('folds').click()");
+    let text = motion.page.words(&format!(
+        "document.querySelector('{portrait} .curves path').getAttribute('d')"
+    ));
+    let turns = |row: &Vec<f64>| (row[1] / TAU).floor();
+    let begins = expected
+        .windows(2)
+        .filter(|pair| turns(&pair[0]) != turns(&pair[1]));
+    assert_eq!(text.split('M').count() - 1, 1 + begins.count(), "{text}");
     motion.page.assert_quiet();
 }
 
@@ -85,6 +97,7 @@ fn several_inputs_have_portraits() {
     motion.set("w", "1");
     let (expected, _) = motion.command(&["--at", "w=1m/s"]);
     assert_near(&motion.shown("fall"), &expected, 1e-9, "w");
+    assert!(motion.drift() < 1e-12, "{}", motion.drift());
     motion.page.assert_quiet();
 }
 

@@ -2,7 +2,8 @@
 
 const CHART = { height: 250, top: 10, right: 14, bottom: 38 };
 
-const charts = { all: [], width: 0 };
+// Angles on abscissas are shown within one turn if `folds`.
+const charts = { all: [], width: 0, folds: false };
 
 // A curve over two columns of the report.
 function chartCurve(name, x, y) {
@@ -40,15 +41,35 @@ function limitsOfLists(lists) {
   return withMargin(known.reduce(([low, high], value) => [Math.min(low, value), Math.max(high, value)], [Infinity, -Infinity]));
 }
 
-// The time has no air, as in the plots above.
+// The numbers of an abscissa, an angle within one turn.
+function acrossNumbers(column) {
+  const numbers = chartNumbers(column);
+  return isFolded(column) ? numbers.map((value) => value - TURN_DEGREES * Math.floor(value / TURN_DEGREES)) : numbers;
+}
+
+function isFolded({ unit }) {
+  return charts.folds && unit === "rad";
+}
+
+const TURN_DEGREES = 360;
+
+// Where an angle within one turn begins again, its line does, too.
+function withBreaks(places, column) {
+  if (!isFolded(column)) return places;
+  const turns = chartNumbers(column).map((value) => Math.floor(value / TURN_DEGREES));
+  return places.flatMap((place, row) => (row > 0 && turns[row] !== turns[row - 1] ? [null, place] : [place]));
+}
+
+// The time has no air, as in the plots above, nor has a turn.
 function limitsAcross(chart, lists) {
+  if (isFolded(chart.curves[0].x)) return [0, TURN_DEGREES];
   const [first, last] = [input.values[0], input.values.at(-1)];
   return chart.names.x === input.name && last > first ? [first, last] : limitsOfLists(lists);
 }
 
 // Curves and axes for the numbers as they are.
 function drawChart(chart, width) {
-  const numbers = chart.curves.map(({ x, y }) => ({ xs: chartNumbers(x), ys: chartNumbers(y) }));
+  const numbers = chart.curves.map(({ x, y }) => ({ xs: acrossNumbers(x), ys: chartNumbers(y) }));
   const [first, last] = limitsAcross(chart, numbers.map(({ xs }) => xs));
   const [low, high] = limitsOfLists(numbers.map(({ ys }) => ys));
   const upTicks = ticks(low, high, 5, chart.units.y);
@@ -71,7 +92,7 @@ function drawChart(chart, width) {
     shape("rect", { class: "frame", x: left, y: CHART.top, width: wide, height: tall }),
     shape("text", { class: "title", x: left + wide / 2, y: CHART.height - 5, "text-anchor": "middle" }, titled(chart.names.x, chart.units.x)),
     shape("text", { class: "title", transform: `translate(13 ${CHART.top + tall / 2}) rotate(-90)`, "text-anchor": "middle" }, titled(chart.names.y, chart.units.y)));
-  chart.lines.forEach((line, k) => set(line, { d: lineThrough(chart.places[k]) }));
+  chart.lines.forEach((line, k) => set(line, { d: lineThrough(withBreaks(chart.places[k], chart.curves[k].x)) }));
 }
 
 function drawCharts() {

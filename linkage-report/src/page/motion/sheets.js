@@ -1,7 +1,7 @@
 // Phase portraits and the check of the energy, below the plots over time.
 
 function startCharts() {
-  const parts = [element("h2", { id: "portraits-title" }, "Phase portraits"), element("div", { class: "charts" }, ...portraits())];
+  const parts = [element("h2", { id: "portraits-title" }, "Phase portraits"), ...foldChoice(), element("div", { class: "charts" }, ...portraits())];
   if (driven.energy !== null) parts.push(element("h2", { id: "energy-title" }, "Energy check"), element("p", { id: "drift", role: "status" }), element("div", { class: "charts" }, ...energyCharts()));
   byId("plots").after(element("section", { id: "motion", "aria-label": "Phase portraits and energy" }, ...parts));
   observeSize(document.querySelector("#motion .charts"), measureCharts);
@@ -27,6 +27,17 @@ function portraits() {
     const [x, y] = [name, speed].map((own) => motionColumn(driven.state, own));
     return makeChart(`portrait ${name}`, `${speed} over ${name}`, { x: name, y: speed }, [chartCurve(speed, x, y)]);
   });
+}
+
+// A box for mechanisms with an angle that turns.
+function foldChoice() {
+  if (driven.inputs.every(({ name }) => motionColumn(driven.state, name).unit !== "rad")) return [];
+  const box = element("input", { id: "folds", type: "checkbox" });
+  box.addEventListener("change", () => {
+    charts.folds = box.checked;
+    drawCharts();
+  });
+  return [element("label", { class: "aside" }, box, " Over one turn")];
 }
 
 function energyCharts() {
