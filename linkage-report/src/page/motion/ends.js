@@ -104,7 +104,7 @@ function endWords(programs, end) {
     "dead point": () => `The motion ends ${after} at a dead point, ${driven.inputs[end.input].name} = ${stateText(programs, end.input, end.state[end.input])}.`,
     undefined: () => `The motion ends ${after} at ${at}: there are no accelerations beyond${openWords(programs, end)}.`,
     tolerance: () => `The motion ends ${after} at ${at}: no step is short enough for the tolerance.`,
-    steps: () => `The motion ends ${after} at ${at}: it takes too many steps here; the command has \`--stiff\` for such motions.`,
+    steps: () => `The motion ends ${after} at ${at}: it takes too many steps here; the command has --stiff for such motions.`,
   };
   return words[end.why]();
 }
