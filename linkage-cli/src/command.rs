@@ -72,7 +72,8 @@ enum Command {
     Tolerance(tolerance::Options),
     /// The load, the spring rate or the mass for which a result has a wanted value
     Hold(hold::Options),
-    /// The motion that loads, weights and springs make, over time
+    /// The motion that loads, weights and springs make, over time: as CSV, or as a page with
+    /// `-o motion.html`
     Run(run::Options),
     /// Every way in which the links can be put together at one position
     Assemblies(assemblies::AtInputs),

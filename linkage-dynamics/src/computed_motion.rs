@@ -137,6 +137,14 @@ impl<const N: usize> Motion<N> {
         step::integral(&self.steps, function)
     }
 
+    /// Returns the same integral from the start up to each of the [`states`](Self::states) of this
+    /// count: work over time, for example.
+    #[must_use]
+    pub fn integrals(&self, count: usize, function: impl Fn(&State<N>) -> f64) -> Vec<f64> {
+        let times: Vec<f64> = self.states(count).map(|state| state.time).collect();
+        step::integrals(&self.steps, &times, function)
+    }
+
     /// Returns the number of steps.
     #[must_use]
     pub const fn steps(&self) -> usize {

@@ -102,9 +102,33 @@ pub(crate) fn integral<const N: usize>(
     integrals.sum()
 }
 
+/// Returns the integral of a function of the state from the first step up to each of the times,
+/// which rise, by the same rule over each step and each part of one.
+pub(crate) fn integrals<const N: usize>(
+    steps: &[Step<N>],
+    times: &[f64],
+    function: impl Fn(&State<N>) -> f64,
+) -> Vec<f64> {
+    let rule = GaussLegendre::new(QUADRATURE);
+    let mut sums = Vec::with_capacity(times.len());
+    let mut sum = 0.0;
+    for step in steps {
+        let end = step.start + step.width;
+        let mut from = step.start;
+        while let Some(&time) = times.get(sums.len()).filter(|time| **time < end) {
+            sum += rule.integrate(from, time, |x| function(&step.state(x)));
+            sums.push(sum);
+            from = time;
+        }
+        sum += rule.integrate(from, end, |x| function(&step.state(x)));
+    }
+    sums.resize(times.len(), sum);
+    sums
+}
+
 #[cfg(test)]
 mod tests {
-    use super::{POINTS, Step};
+    use super::{POINTS, Step, integrals};
     use crate::phase::Phase;
 
     /// A polynomial of degree 7 is reproduced between the nodes, also by a part of the step.
@@ -130,6 +154,24 @@ mod tests {
             }
         }
         assert_eq!(part.end().time, 1.1);
+    }
+
+    /// The sum over parts of steps is that over whole ones, also where times are at their ends.
+    #[test]
+    fn integrals_add_up() {
+        let steps = [(0.0, 1.0), (1.0, 0.5)].map(|(start, width)| Step {
+            start,
+            width,
+            nodes: POINTS.map(|point| Phase {
+                inputs: [start + width * point],
+                speeds: [1.0],
+            }),
+        });
+        let times = [0.0, 0.25, 1.0, 1.25, 1.5];
+        let sums = integrals(&steps, &times, |state| state.inputs[0].powi(2));
+        for (time, sum) in times.into_iter().zip(sums) {
+            assert!((sum - f64::powi(time, 3) / 3.0).abs() < 1e-15, "{time}");
+        }
     }
 
     #[test]

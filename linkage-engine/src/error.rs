@@ -96,3 +96,95 @@ impl Display for ToleranceError {
 }
 
 impl Error for ToleranceError {}
+
+/// A function that is no equation of motion.
+#[derive(Clone, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum NotDriven {
+    /// The mechanism has no input.
+    NoInput {
+        /// The mechanism.
+        mechanism: &'static str,
+    },
+    /// The function lacks the `driven_acceleration` of an input.
+    Accelerations {
+        /// The function.
+        function: &'static str,
+        /// The first input.
+        input: &'static str,
+        /// The name of its speed.
+        speed: String,
+    },
+    /// The function does not take an input.
+    Input {
+        /// The function.
+        function: &'static str,
+        /// The input.
+        input: &'static str,
+        /// The name of its speed.
+        speed: String,
+    },
+    /// The function does not take the speed of an input.
+    Speed {
+        /// The function.
+        function: &'static str,
+        /// The input.
+        input: &'static str,
+        /// The name of its speed.
+        speed: String,
+    },
+}
+
+impl NotDriven {
+    /// Returns advice how to write an equation of motion, with the names of an input and its speed.
+    #[must_use]
+    pub fn help(input: &str, speed: &str) -> String {
+        format!(
+            "help: declare bodies with masses and `input {input} = ... at {speed}`, and write a function such as \
+             `fn motion({input}, {speed}) -> Motion {{ a: driven_acceleration({input}) }}`"
+        )
+    }
+}
+
+impl Display for NotDriven {
+    fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
+        let (input, speed) = match self {
+            Self::NoInput { mechanism } => {
+                return write!(f, "{mechanism} has no input that could move");
+            }
+            Self::Accelerations {
+                function,
+                input,
+                speed,
+            } => {
+                writeln!(
+                    f,
+                    "`{function}` does not have the accelerations of all inputs"
+                )?;
+                (input, speed)
+            }
+            Self::Input {
+                function,
+                input,
+                speed,
+            } => {
+                writeln!(f, "`{function}` does not take the input `{input}`")?;
+                (input, speed)
+            }
+            Self::Speed {
+                function,
+                input,
+                speed,
+            } => {
+                writeln!(
+                    f,
+                    "`{function}` does not take the speed of `{input}`, so that it leaves out what speeds do"
+                )?;
+                (input, speed)
+            }
+        };
+        f.write_str(&Self::help(input, speed))
+    }
+}
+
+impl Error for NotDriven {}

@@ -1,4 +1,4 @@
-//! Assemblies of a mechanism, its circuits, and the effects of its tolerances.
+//! Assemblies of a mechanism, its circuits, the effects of its tolerances, and its equation of motion.
 
 use linkage_runtime::support::{
     AssemblyData, Core, assemble_coupled, assemble_from, assemblies_at, circuits_of,
@@ -6,6 +6,8 @@ use linkage_runtime::support::{
 use linkage_runtime::{AssemblyError, Circuits};
 
 use crate::compiled::{Assembly, Compiled};
+use crate::driven::{Driven, driven_function};
+use crate::error::NotDriven;
 use crate::mechanism::Mechanism;
 use crate::tolerance_effects::{SensitiveQuantity, sensitive_quantities};
 
@@ -78,5 +80,43 @@ impl Mechanism {
     #[must_use]
     pub fn sensitive_quantities(&self, function: usize) -> Vec<SensitiveQuantity> {
         sensitive_quantities(self, function)
+    }
+
+    /// Returns the first function with the `driven_acceleration` of all inputs.
+    #[must_use]
+    pub fn driven_function(&self) -> Option<usize> {
+        driven_function(self)
+    }
+
+    /// Returns the equation of motion of a function. `start` are its arguments at the start: inputs
+    /// in rad or in the length unit, speeds per second, loads in their units. Accelerations among
+    /// them have no effect.
+    ///
+    /// # Errors
+    ///
+    /// If the function lacks the acceleration, the value or the speed of an input.
+    ///
+    /// # Panics
+    ///
+    /// If there is no such function, or it takes another number of arguments.
+    ///
+    /// ```
+    /// use linkage_engine::Mechanism;
+    ///
+    /// let mechanism = Mechanism::compile("
+    ///     pub struct Stone {
+    ///         unit m;
+    ///         input y = 0m at v;
+    ///         gravity = (0, -10m/s^2);
+    ///         body stone = slide on frame at (0, y) along (0, 1), mass 1kg at (0, y);
+    ///     }
+    ///     impl Stone { pub fn fall(y, v) -> Fall { a: driven_acceleration(y) } }")?;
+    /// let assembly = mechanism.assemble(&mechanism.dimensions())?;
+    /// let driven = mechanism.driven(0, &[0.0, 0.0])?;
+    /// assert_eq!(driven.accelerations(&assembly, [2.0], [3.0]), [-10.0]);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn driven(&self, function: usize, start: &[f64]) -> Result<Driven<'_>, NotDriven> {
+        Driven::new(self, function, start)
     }
 }

@@ -22,6 +22,7 @@
 //! | go from position to position | [`Assembly::follower`] |
 //! | see effects of tolerances | [`Mechanism::sensitive_quantities`] |
 //! | draw mechanisms within their tolerances | `RandomStudy::new` (feature `monte-carlo`) |
+//! | move under forces | [`Mechanism::driven`], with `linkage::dynamics` |
 //! | find dimensions for a path or a law | `Mechanism::design` (feature `design`) |
 //! | name, unit and meaning of results | [`Mechanism::headings`]; [`Columns`] is a [`Table`] |
 //!
@@ -42,6 +43,7 @@ mod columns;
 mod compiled;
 #[cfg(feature = "design")]
 mod design;
+mod driven;
 mod error;
 mod kinematics;
 mod mechanism;
@@ -63,9 +65,10 @@ pub use columns::Columns;
 pub use compiled::Assembly;
 #[cfg(feature = "design")]
 pub use design::{DesignProblem, Designs, Variable};
+pub use driven::{Driven, DrivenInput};
 #[cfg(feature = "design")]
 pub use error::DesignError;
-pub use error::{CompileError, SourceError, ToleranceError, UnknownFunction};
+pub use error::{CompileError, NotDriven, SourceError, ToleranceError, UnknownFunction};
 pub use linkage_runtime::{
     AssemblyError, AssemblyMode, Branch, BranchEnd, Circuits, Estimate, Heading, Input,
     NotFollowed, Parameter, RangeReport, Structure, Table,

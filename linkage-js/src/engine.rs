@@ -26,6 +26,9 @@ pub const MODULE: [&str; 2] = [
 /// form.
 pub const OTHERS: &str = include_str!("engine/others.js");
 
+/// The integrator of motions under forces, for pages of motions alone. It needs nothing else.
+pub const INTEGRATOR: &str = include_str!("engine/integrator.js");
+
 /// Returns the engine as text, with the constants of `linkage-core`.
 pub fn engine() -> String {
     with_constants(&ENGINE.join("\n"))

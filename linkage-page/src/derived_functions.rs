@@ -111,8 +111,8 @@ pub fn with_functions(
     }
 }
 
-/// A name that no function has: with low lines at its end if needed.
-fn free<'a>(functions: impl Iterator<Item = &'a str> + Clone, name: &str) -> String {
+/// Returns a name that no function has: with low lines at its end if needed.
+pub(crate) fn free<'a>(functions: impl Iterator<Item = &'a str> + Clone, name: &str) -> String {
     let mut name = name.to_owned();
     while functions.clone().any(|function| function == name) {
         name.push('_');

@@ -144,7 +144,8 @@ fn reactions_of(mechanism: &Mechanism, function: usize) -> Vec<(&str, &str)> {
     fields.collect()
 }
 
-fn first_paragraph(text: &str) -> String {
+/// Returns the lines of a text up to the first blank one, as one line.
+pub(crate) fn first_paragraph(text: &str) -> String {
     let lines = text.lines().map(str::trim);
     let lines: Vec<&str> = lines.take_while(|line| !line.is_empty()).collect();
     lines.join(" ")

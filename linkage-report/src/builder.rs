@@ -4,6 +4,7 @@ use std::string::String;
 use std::vec::Vec;
 
 use super::SummaryRow;
+use super::driven_motion::DrivenMotion;
 use super::figures::Figures;
 use super::tables::Saved;
 use linkage_analysis::cyclogram::Cyclogram;
@@ -46,6 +47,7 @@ pub struct Report {
     pub(super) source: Option<String>,
     pub(super) csv_style: CsvStyle,
     pub(super) cyclogram: Option<Cyclogram>,
+    pub(super) motion: Option<DrivenMotion>,
 }
 
 /// A parameter and its value in this mechanism.
@@ -97,6 +99,7 @@ impl Report {
             source: None,
             csv_style: CsvStyle::default(),
             cyclogram: None,
+            motion: None,
         }
     }
 
@@ -253,6 +256,15 @@ impl Report {
     #[must_use]
     pub fn cyclogram(mut self, cyclogram: &Cyclogram) -> Self {
         self.cyclogram = Some(cyclogram.clone());
+        self
+    }
+
+    /// Makes this the report of a motion under forces, whose input is the time. Its page computes
+    /// the motion for other dimensions, loads and starts by the [`programs`](Self::programs).
+    #[doc(hidden)]
+    #[must_use]
+    pub fn motion(mut self, motion: DrivenMotion) -> Self {
+        self.motion = Some(motion);
         self
     }
 }

@@ -1,6 +1,7 @@
 //! The report as JSON, the input of the page.
 
 mod live;
+mod motion_data;
 mod packed;
 mod series;
 mod signs;

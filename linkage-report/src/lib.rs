@@ -19,6 +19,7 @@ mod compare;
 mod csv;
 mod downsample;
 mod drawing;
+mod driven_motion;
 mod figures;
 mod frame;
 mod glyphs;
@@ -48,6 +49,8 @@ pub use accuracy::BandKind;
 pub use builder::Report;
 pub use compare::{Aim, Compared, Comparison};
 pub use drawing::Drawing;
+#[doc(hidden)]
+pub use driven_motion::{DrivenMotion, MotionEnergy, MotionStop, MovingInput, Watched};
 pub use index::Index;
 #[doc(hidden)]
 pub use linkage_formats::AtomicFile;

@@ -8,7 +8,7 @@ use super::version::follow_script;
 use super::{joint_signs, json, machine, positioned_picture};
 use linkage_formats::ReportError;
 use linkage_formats::colour::page_rules;
-use linkage_js::engine::{OTHERS, engine, with_constants};
+use linkage_js::engine::{INTEGRATOR, OTHERS, engine, with_constants};
 
 /// Words of a browser that does not run the script.
 const UNSUPPORTED: &str = include_str!("page/unsupported.html");
@@ -109,6 +109,21 @@ pub(super) const LIVE: [&str; 21] = [
     include_str!("page/live/controls.js"),
 ];
 
+/// The script that gives functions their arguments at the positions of a report, after those. A
+/// motion has others in its place.
+pub(super) const ROWS: &str = include_str!("page/live/rows.js");
+
+/// Styles and scripts of a page that computes a motion under forces, after the integrator.
+const MOTION_STYLE: &str = include_str!("page/motion/motion.css");
+const MOTION: [&str; 6] = [
+    include_str!("page/motion/rows.js"),
+    include_str!("page/motion/equation.js"),
+    include_str!("page/motion/ends.js"),
+    include_str!("page/motion/charts.js"),
+    include_str!("page/motion/sheets.js"),
+    include_str!("page/motion/motion.js"),
+];
+
 /// Scripts of a page that computes a cyclogram, after those.
 const LIVE_CYCLE: [&str; 2] = [
     include_str!("page/live/cycle.js"),
@@ -177,7 +192,11 @@ fn live_script(report: &Report) -> String {
         false => {
             let cycle = report.cyclogram.as_ref().map(|_| LIVE_CYCLE.join("\n"));
             let live = with_constants(&LIVE.join("\n"));
-            std::format!("\n{live}\n{}\n", cycle.unwrap_or_default())
+            let rows = match report.motion {
+                Some(_) => [INTEGRATOR, &MOTION.join("\n")].join("\n"),
+                None => String::from(ROWS),
+            };
+            std::format!("\n{live}\n{rows}\n{}\n", cycle.unwrap_or_default())
         }
     }
 }
@@ -188,7 +207,8 @@ fn page_styles(report: &Report) -> String {
     } else {
         LIVE_STYLE
     };
-    std::format!("{}\n{live}", STYLES.join("\n"))
+    let motion = report.motion.as_ref().map_or("", |_| MOTION_STYLE);
+    std::format!("{}\n{live}\n{motion}", STYLES.join("\n"))
 }
 
 #[cfg(test)]
@@ -202,15 +222,24 @@ mod tests {
     /// The code with which a page computes, besides the programs, which are 78,000 bytes for the
     /// largest mechanism of the gallery. Both together may have 164,000 bytes. A machine
     /// of four of them with all sensitivities, the example `knitting_machine`, has 166,000 bytes of
-    /// programs. Only a page with a cyclogram has the code for it.
+    /// programs. Only a page with a cyclogram or a
+    /// motion has the code for it.
     #[test]
     fn what_computes_is_small() {
-        let all = [&ENGINE.join("\n"), OTHERS, &LIVE.join("\n"), LIVE_STYLE];
+        let all = [
+            &ENGINE.join("\n"),
+            OTHERS,
+            &LIVE.join("\n"),
+            ROWS,
+            LIVE_STYLE,
+        ];
         let size: usize = all.iter().map(|script| bare(script).len()).sum();
         assert!(size < 86_000, "{size} bytes");
         let [cycle, overlaps] = LIVE_CYCLE.map(|script| bare(script).len());
         assert!(cycle < 6_500, "{cycle} bytes");
         assert!(overlaps < 1_200, "{overlaps} bytes");
+        let motion = bare(&[&MOTION.join("\n"), INTEGRATOR, MOTION_STYLE].join("\n")).len();
+        assert!(motion < 25_000, "{motion} bytes");
     }
 
     /// Comments are left out line by line: a text over lines would lose some.
@@ -224,7 +253,8 @@ mod tests {
             .chain(&CYCLOGRAM)
             .chain(&LIVE_CYCLE)
             .chain(&VIEW)
-            .chain([&NO_CYCLOGRAM, &OTHERS]);
+            .chain(&MOTION)
+            .chain([&NO_CYCLOGRAM, &OTHERS, &ROWS, &INTEGRATOR]);
         for line in all.flat_map(|script| script.lines()) {
             let is_comment = line.trim_start().starts_with("//");
             assert!(is_comment || line.matches('`').count() % 2 == 0, "{line}");
@@ -240,6 +270,8 @@ mod tests {
             .chain(&CYCLOGRAM)
             .chain(&LIVE)
             .chain(&LIVE_CYCLE)
+            .chain(&MOTION)
+            .chain([&INTEGRATOR])
             .chain(&VIEW);
         for line in all.flat_map(|script| script.lines()) {
             let mut words = line.split(|c: char| !(c.is_alphanumeric() || c == '_'));

@@ -4,7 +4,7 @@
 use std::string::String;
 
 use super::frame::bare;
-use super::page::{BODY, LIVE, LIVE_STYLE, NO_CYCLOGRAM, SCRIPTS, START, STYLES};
+use super::page::{BODY, LIVE, LIVE_STYLE, NO_CYCLOGRAM, ROWS, SCRIPTS, START, STYLES};
 use super::spaces::bare_style;
 use crate::joint_signs::{ALL_SHAPES, page_constant};
 use linkage_formats::colour::page_rules;
@@ -52,6 +52,7 @@ pub fn page_view(interpreter: &str) -> PageView {
         &SCRIPTS[..START].join("\n"),
         NO_CYCLOGRAM,
         &with_constants(&LIVE.join("\n")),
+        ROWS,
         state,
         renew,
         SCRIPTS[START],

@@ -1,63 +1,25 @@
-//! `linkage run`: the motion that loads, weights and springs make, as CSV over time.
+//! `linkage run`: the motion that loads, weights and springs make, as CSV over time or as a page.
 
 mod driven;
+mod motion_page;
+mod motion_result;
+mod motion_table;
+mod run_options;
 mod stops;
 
-use std::borrow::Cow;
-use std::io::{self, Write};
-
-use clap::{Args, value_parser};
-use linkage_dynamics::{Cause, Ended, Method, Motion, Problem, State};
-use linkage_engine::{Assembly, Mechanism};
-use linkage_report::Mistake;
+use linkage_dynamics::{Cause, Ended, Method, Problem};
+use linkage_engine::{Assembly, Driven, Mechanism};
 
 use super::assemblies::placed;
-use super::choose::Chosen;
-use super::column::Column;
-use super::csv_options::CsvOptions;
 use super::gap_reason::reason_of_gap;
-use super::output::put;
 use super::range;
 use super::rounded::rounded;
-use super::values::{Dimensions, number};
+use super::values::number;
 use crate::failure::Failure;
-use crate::normal::normal;
-use driven::Driven;
+use motion_page::PageFunctions;
+use motion_result::MotionResult;
+pub(super) use run_options::Options;
 use stops::Stop;
-
-/// Options of the command.
-#[derive(Debug, Args)]
-pub(super) struct Options {
-    #[command(flatten)]
-    chosen: Chosen,
-    /// A function that has `driven_acceleration` of each input and takes their speeds; by default
-    /// the first one
-    #[arg(value_parser = normal)]
-    function: Option<String>,
-    /// The time for which it moves, as `2s` or `500ms`
-    #[arg(long = "for", value_name = "TIME", value_parser = normal)]
-    time: String,
-    /// An input or a speed at the start, or a load, as `phi=45deg`, `omega=2`, `motor=3N*m`; by
-    /// default inputs have their reference and speeds are zero
-    #[arg(long = "at", value_name = "NAME=VALUE", value_parser = normal)]
-    at: Vec<String>,
-    /// An earlier end: an input, a speed or a result passes a value, as `phi=360deg` or `omega=0`
-    #[arg(long, value_name = "NAME=VALUE", value_parser = normal)]
-    stop: Vec<String>,
-    /// How many rows at even distances in time, both ends included
-    #[arg(long, default_value_t = 201, value_name = "COUNT", value_parser = value_parser!(u32).range(2..))]
-    steps: u32,
-    /// The error of a step of integration, relative and absolute
-    #[arg(long, default_value_t = 1e-10, value_name = "NUMBER")]
-    tolerance: f64,
-    /// An implicit method, for stiff springs
-    #[arg(long)]
-    stiff: bool,
-    #[command(flatten)]
-    dimensions: Dimensions,
-    #[command(flatten)]
-    csv: CsvOptions,
-}
 
 /// Significant digits of a time in messages.
 const DIGITS: usize = 10;
@@ -68,28 +30,39 @@ const MOST: usize = 4;
 /// Writes the motion.
 pub(super) fn run(options: &Options) -> Result<(), Failure> {
     let (mechanism, function) = driven::chosen(&options.chosen, options.function.as_deref())?;
-    let driven = Driven::new(&mechanism, function, &options.at)?;
-    match driven.count() {
-        1 => moved::<1>(options, &driven),
-        2 => moved::<2>(options, &driven),
-        3 => moved::<3>(options, &driven),
-        MOST => moved::<MOST>(options, &driven),
+    let driven = driven::driven(&mechanism, function, &options.at)?;
+    if !motion_page::is_asked(options) {
+        return moved_by_count(options, &driven, None);
+    }
+    let functions = PageFunctions::new(options, &driven)?;
+    let driven = functions.driven(&driven)?;
+    moved_by_count(options, &driven, Some(&functions))
+}
+
+/// Moves all inputs. The page has further functions.
+fn moved_by_count(
+    options: &Options,
+    driven: &Driven<'_>,
+    page: Option<&PageFunctions>,
+) -> Result<(), Failure> {
+    match driven.inputs().len() {
+        1 => moved::<1>(options, driven, page),
+        2 => moved::<2>(options, driven, page),
+        3 => moved::<3>(options, driven, page),
+        MOST => moved::<MOST>(options, driven, page),
         count => Err(Failure::Told(format!(
             "{} has {count} inputs; at most {MOST} move together",
-            mechanism.name()
+            driven.mechanism().name()
         ))),
     }
 }
 
-impl Options {
-    /// Returns the mistake of a style whose cells are ambiguous.
-    pub(super) fn mistake(&self) -> Option<Mistake> {
-        self.csv.style().mistake()
-    }
-}
-
-fn moved<const N: usize>(options: &Options, driven: &Driven<'_>) -> Result<(), Failure> {
-    let mechanism = driven.mechanism;
+fn moved<const N: usize>(
+    options: &Options,
+    driven: &Driven<'_>,
+    page: Option<&PageFunctions>,
+) -> Result<(), Failure> {
+    let mechanism = driven.mechanism();
     let time = number(mechanism, "--for", &options.time, "s")?;
     let stops = Stop::all(driven, &options.stop)?;
     let assembly = &range::assembled(&options.dimensions, mechanism)?;
@@ -115,19 +88,31 @@ fn moved<const N: usize>(options: &Options, driven: &Driven<'_>) -> Result<(), F
             (interrupted.motion(), Some(cause))
         }
     };
+    let stopped = match motion.ended() {
+        Ended::Event(stop) => Some(format!(
+            "`{}` after {} s",
+            options.stop[stop],
+            rounded(motion.end().time, DIGITS)
+        )),
+        _ => None,
+    };
     // A start without accelerations has no motion at all.
     if motion.steps() > 0 {
-        put(
-            options.csv.output.as_deref(),
-            options.chosen.file(),
-            |out| written(options, driven, assembly, motion, out),
-        )?;
-        if let Ended::Event(stop) = motion.ended() {
-            eprintln!(
-                "note: `{}` after {} s",
-                options.stop[stop],
-                rounded(motion.end().time, DIGITS)
-            );
+        let result = MotionResult {
+            driven,
+            assembly,
+            motion,
+        };
+        let stop = stopped.as_ref();
+        let stop = stop.map(|stop| format!("the motion stops at {stop}"));
+        let end = failure.as_ref().or(stop.as_ref());
+        let end = end.map(|message| motion_page::sentence(message));
+        match page {
+            None => motion_table::put(options, &result)?,
+            Some(functions) => motion_page::put(options, functions, &result, &stops, time, end)?,
+        }
+        if let Some(stop) = stopped {
+            eprintln!("note: {stop}");
         }
     }
     failure.map_or(Ok(()), |cause| Err(Failure::Told(cause)))
@@ -156,41 +141,4 @@ fn explained<const N: usize>(
         }
         other => other.to_string(),
     }
-}
-
-/// A line for each time: inputs, speeds and all results of the function.
-fn written<const N: usize>(
-    options: &Options,
-    driven: &Driven<'_>,
-    assembly: &Assembly<'_>,
-    motion: &Motion<N>,
-    out: &mut dyn Write,
-) -> io::Result<()> {
-    let style = options.csv.style();
-    let heading = driven.mechanism.headings()[driven.function];
-    let results = heading
-        .columns
-        .iter()
-        .map(|result| (result.name, result.unit));
-    let titles = [("time", "s")].into_iter().chain(driven.titles());
-    let columns: Vec<Column<'_>> = titles
-        .chain(results)
-        .map(|(name, unit)| Column::new(name, unit, options.csv.degrees))
-        .collect();
-    let titles: Vec<String> = columns.iter().map(Column::title).collect();
-    let title = style.line(titles.iter().map(|title| style.word(title)));
-    out.write_all(title.as_bytes())?;
-    for State {
-        time,
-        inputs,
-        speeds,
-    } in motion.states(options.steps as usize)
-    {
-        let row = [time].into_iter().chain(inputs).chain(speeds);
-        let row = row.chain(driven.results(assembly, inputs, speeds));
-        let cells = row.zip(&columns).map(|(x, column)| column.shown(x));
-        let cells = cells.map(|x| Cow::Owned(style.number(x)));
-        out.write_all(style.line(cells).as_bytes())?;
-    }
-    Ok(())
 }

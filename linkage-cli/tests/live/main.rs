@@ -8,6 +8,8 @@ mod gaps;
 mod hands;
 mod lift;
 mod many;
+mod motion;
+mod motion_pages;
 mod pages;
 mod quotients;
 mod shown;

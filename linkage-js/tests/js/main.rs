@@ -2,6 +2,7 @@
 
 mod all_programs;
 mod constants;
+mod integrator;
 mod interpreted;
 mod module;
 mod names;

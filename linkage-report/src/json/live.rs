@@ -3,6 +3,7 @@
 use serde_json::{Map, Value, json};
 
 use crate::builder::Report;
+use crate::json::motion_data::motion_value;
 
 /// Arguments beside the input, modes, the picture's number among the tables, the text of the
 /// mechanism.
@@ -24,6 +25,9 @@ pub(super) fn live_value(report: &Report) -> Value {
     });
     if let Some(source) = &report.source {
         value["source"] = json!(source);
+    }
+    if let Some(motion) = &report.motion {
+        value["motion"] = motion_value(report, motion);
     }
     value
 }

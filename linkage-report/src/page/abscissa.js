@@ -87,8 +87,8 @@ function wholeAbscissa() {
 
 function abscissaChoice() {
   const { label, take } = speedField();
-  // An accelerated input has no time of its own at a position.
-  const time = report.speed?.epsilon ? [] : [element("option", { value: "time" }, "time")];
+  // An accelerated input has no time of its own at a position, and the input of a motion is the time.
+  const time = report.speed?.epsilon || driven !== null ? [] : [element("option", { value: "time" }, "time")];
   const select = element("select", { id: "abscissa" }, element("option", { value: "" }, input.name), ...time);
   for (const [title, members] of grouped()) {
     const options = members.filter(finite).map((column) => element("option", { value: column.key }, titled(column.name, column.unit)));

@@ -14,6 +14,8 @@ const FIRST_VALUES = 3;
 const FIRST_RATES = 6;
 // And of one function that is asked for.
 const MOST_VALUES = 12;
+// And of a motion under forces.
+const MOST_OF_MOTION = 24;
 
 const chosen = new Set();
 // Shows in the boxes and on the buttons what is chosen.
@@ -21,8 +23,14 @@ let showChoice = null;
 
 // The values that the functions list first, with their derivatives by time, or by the input.
 function firstChoice() {
+  if (driven !== null) return columns.filter((column) => finite(column) && isOfMotion(column)).slice(0, MOST_OF_MOTION);
   const some = firstAmong(() => true);
   return some.length > 0 ? some : firstOf("picture", isTraced, FIRST_VALUES);
+}
+
+// Inputs, speeds and results of a motion under forces.
+function isOfMotion({ table, meaning }) {
+  return [driven.state, driven.table].some((index) => report.tables[index].function === table) && meaning !== "picture" && meaning !== "sensitivity";
 }
 
 function firstAmong(fits, most = FIRST_VALUES) {

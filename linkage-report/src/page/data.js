@@ -4,6 +4,8 @@ let source = byId("report").textContent.trim();
 const report = reportFrom(source);
 if (report.live) ownNumbers(report);
 const input = report.input;
+// A motion under forces, whose rows are times; null for a mechanism over its range.
+const driven = report.live?.motion ?? null;
 const rowCount = input.values.length;
 
 // The state of the page that the host showed before, if that was of the same mechanism.

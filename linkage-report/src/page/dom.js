@@ -91,6 +91,13 @@ function lineThrough(places) {
   return d;
 }
 
+// A button with the words of its hint.
+function pushButton(id, word, title, click) {
+  const button = element("button", { type: "button", id, title }, word);
+  button.addEventListener("click", click);
+  return button;
+}
+
 // A part of the page that opens and closes, with a heading.
 function fold(title, open, ...children) {
   return element("details", { open }, element("summary", {}, title), ...children);

@@ -28,15 +28,10 @@ function photoLine() {
   opacity.addEventListener("input", () => set(photo.image, { opacity: opacity.value }));
   const length = element("input", { type: "text", id: "photo-length", size: 8, autocomplete: "off", disabled: true, "aria-label": `Distance of the two points in ${picture.unit}` });
   length.addEventListener("change", () => scalePhoto(Number(length.value.replace(",", "."))));
-  const button = (id, word, title, click) => {
-    const own = element("button", { type: "button", id, title }, word);
-    own.addEventListener("click", click);
-    return own;
-  };
   const press = (kind) => () => pressPhoto(photo.press === kind ? null : kind);
   return element("p", { id: "photo-line", hidden: true }, opacity,
-    button("photo-scale", "Scale", "Two clicks on points of known distance", () => { photo.marks = []; drawPhoto(); press("scale")(); }),
-    length, ` ${picture.unit} `, button("photo-move", "Move", "Drag the photograph", press("move")), button("photo-remove", "Remove", "Without the photograph", removePhoto),
+    pushButton("photo-scale", "Scale", "Two clicks on points of known distance", () => { photo.marks = []; drawPhoto(); press("scale")(); }),
+    length, ` ${picture.unit} `, pushButton("photo-move", "Move", "Drag the photograph", press("move")), pushButton("photo-remove", "Remove", "Without the photograph", removePhoto),
     element("span", { id: "photo-says", role: "status" }));
 }
 

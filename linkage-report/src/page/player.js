@@ -2,6 +2,8 @@
 
 // Seconds that the range takes.
 const PERIODS = [1, 2, 4, 8, 16, 32, 64];
+// Times that a motion under forces is slowed.
+const SLOWED = [1, 2, 5, 10, 100];
 
 const player = { playing: false, backward: false, period: before?.period ?? 8, value: 0, last: null };
 
@@ -10,8 +12,9 @@ function span() {
 }
 
 // The input's steady speed in the machine, or null. An accelerated input has its speed at every position: how long the
-// range takes is not known.
+// range takes is not known. The input of a motion under forces is the time itself.
 function trueSpeed() {
+  if (driven !== null) return 1;
   const { omega, epsilon } = report.speed ?? {};
   return omega && !epsilon ? omega : null;
 }
@@ -54,12 +57,12 @@ function playFrame(now) {
   requestAnimationFrame(playFrame);
 }
 
-// A whole turn begins again, any other range is run through to and fro.
+// A whole turn and a motion under forces begin again, any other range is run through to and fro.
 function playedValue(value) {
   const start = input.values[0];
   const part = (value - start) / span();
   if (part >= 0 && part <= 1) return value;
-  if (input.periodic) return start + (part - Math.floor(part)) * span();
+  if (input.periodic || driven !== null) return start + (part - Math.floor(part)) * span();
   setBackward(part > 1);
   return part > 1 ? input.values[rowCount - 1] : start;
 }
@@ -70,6 +73,19 @@ function setBackward(backward) {
   const word = backward ? "Backward" : "Forward";
   button.replaceChildren(backward ? "\u2190" : "\u2192", element("span", { class: "word" }, ` ${word}`));
   set(button, { "aria-label": `Direction: ${word.toLowerCase()}`, title: "Direction of play" });
+}
+
+// The listed speeds: values of the choice, and their words.
+function speedChoices() {
+  if (driven !== null) return SLOWED.map((factor) => [factor, factor === 1 ? "real time" : `1/${factor} of real time`]);
+  const real = truePeriod();
+  const periods = real === null ? PERIODS : [real, ...PERIODS.filter((period) => period !== real)];
+  return periods.map((period) => [period, speedText(period)]);
+}
+
+// The seconds of a chosen speed: those of the range, of a motion under forces so many times its own.
+function playedPeriod(choice) {
+  return Number(choice) * (driven === null ? 1 : span());
 }
 
 // A listed speed in the machine's time.
@@ -86,11 +102,10 @@ function speedText(period) {
 
 function startPlayer() {
   const speed = byId("speed");
-  const real = truePeriod();
-  const periods = real === null ? PERIODS : [real, ...PERIODS.filter((period) => period !== real)];
-  for (const period of periods) speed.append(element("option", { value: period }, speedText(period)));
-  speed.value = player.period;
-  speed.addEventListener("change", () => { player.period = Number(speed.value); });
+  for (const [value, words] of speedChoices()) speed.append(element("option", { value }, words));
+  if (driven === null) speed.value = player.period;
+  else player.period = playedPeriod(speed.value);
+  speed.addEventListener("change", () => { player.period = playedPeriod(speed.value); });
 
   const slider = byId("position");
   slider.max = rowCount - 1;
@@ -104,16 +119,22 @@ function startPlayer() {
   onMove(showPosition);
 }
 
+// The inputs of a motion under forces, as columns of its state.
+function movingInputs() {
+  return driven === null ? [] : report.tables[driven.state].columns.slice(0, driven.inputs.length);
+}
+
 function showPosition(row) {
   const value = input.values[row];
   const slider = byId("position");
   slider.value = row;
   slider.setAttribute("aria-valuetext", `${input.name} ${inputShort(value)}`);
-  const time = trueSpeed() === null ? "" : `, t = ${digits(rounded(trueTime(value), 6))} s`;
+  const time = trueSpeed() === null || driven !== null ? "" : `, t = ${digits(rounded(trueTime(value), 6))} s`;
   const radians = input.unit === "rad" ? [element("small", {}, `${short(value)} rad`)] : [];
   byId("readout").replaceChildren(
     element("b", {}, `${input.name} = ${withUnit(value, input.unit).replace(/ \(.*/, "")}`),
     ...radians,
+    ...movingInputs().map(({ name, values: numbers, unit }) => element("small", {}, `${name} = ${withUnit(numbers[row], unit)}`)),
     element("small", {}, `row ${row + 1} of ${rowCount}${time}`),
   );
 }

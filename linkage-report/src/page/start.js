@@ -4,9 +4,9 @@
 const GAPS_TOLD = 4;
 
 // Remarks about the values: gaps, change points where the mechanism may go on in another assembly,
-// and singular positions.
+// singular positions, or the end of a motion.
 function sayGaps() {
-  const told = [gapWords(report.gaps ?? []), report.changePoints ?? null, singularWords()].filter((words) => words !== null);
+  const told = [gapWords(report.gaps ?? []), report.changePoints ?? null, driven === null ? singularWords() : endOfMotion()].filter((words) => words !== null);
   byId("gaps").hidden = told.length === 0;
   byId("gaps").textContent = told.join(" ");
 }
@@ -36,6 +36,7 @@ function start() {
   startStage();
   startCopying();
   if (report.live) startLive();
+  if (driven !== null) nameStarts();
   if (before !== null) resume();
   announcePosition();
   document.body.dataset.ready = "true";

@@ -2,10 +2,11 @@
 
 use linkage_compiler::shortened;
 use linkage_dynamics::Event;
-use linkage_engine::Assembly;
+use linkage_engine::{Assembly, Driven};
+use linkage_report::MotionStop;
 
 use super::super::values::{number, parts};
-use super::driven::{Driven, Moving};
+use super::driven::{Moving, moving};
 use crate::failure::{Failure, known_names};
 
 /// A number that passes a value.
@@ -28,22 +29,22 @@ impl Stop {
 
     fn new(driven: &Driven<'_>, given: &str) -> Result<Self, Failure> {
         let (name, text) = parts("--stop", given)?;
-        let mechanism = driven.mechanism;
-        let columns = mechanism.headings()[driven.function].columns;
+        let mechanism = driven.mechanism();
+        let columns = mechanism.headings()[driven.function()].columns;
         let column = columns.iter().position(|column| column.name == name);
         let titles = driven.titles();
-        let (watched, unit) = match (driven.moving(name), column) {
-            (Some(moving), _) => {
+        let (watched, unit) = match (moving(driven, name), column) {
+            (Some(found), _) => {
                 let title = titles.iter().find(|(title, _)| *title == name);
-                (Watched::Moving(moving), title.map_or("", |(_, unit)| unit))
+                (Watched::Moving(found), title.map_or("", |(_, unit)| unit))
             }
             (None, Some(column)) => (Watched::Result(column), columns[column].unit),
             (None, None) => {
-                let moving = titles.iter().map(|(title, _)| *title);
-                let known = moving.chain(columns.iter().map(|column| column.name));
+                let moved = titles.iter().map(|(title, _)| *title);
+                let known = moved.chain(columns.iter().map(|column| column.name));
                 return Err(Failure::Told(format!(
                     "`{}` has neither input nor result `{}`; it has {}",
-                    mechanism.headings()[driven.function].function,
+                    mechanism.headings()[driven.function()].function,
                     shortened(name),
                     known_names(name, known)
                 )));
@@ -51,6 +52,19 @@ impl Stop {
         };
         let value = number(mechanism, name, text, unit)?;
         Ok(Self { watched, value })
+    }
+
+    /// The number and its value for a page.
+    pub(super) fn on_page(&self, text: &str) -> MotionStop {
+        MotionStop {
+            text: text.to_owned(),
+            watched: match self.watched {
+                Watched::Moving(Moving::Input(input)) => linkage_report::Watched::Input(input),
+                Watched::Moving(Moving::Speed(input)) => linkage_report::Watched::Speed(input),
+                Watched::Result(column) => linkage_report::Watched::Column(column),
+            },
+            value: self.value,
+        }
     }
 
     /// The event that ends the motion.

@@ -38,16 +38,11 @@ function makeControls() {
     const own = argumentOf(name);
     rows.push(controlRow(name, own.unit, (to) => give(name, to)));
   }
-  const button = (id, word, title, click) => {
-    const own = element("button", { type: "button", id, title }, word);
-    own.addEventListener("click", click);
-    return own;
-  };
-  const copy = (id, word, make) => button(id, word, `Copy: ${word}`, () => copyText(make()));
+  const copy = (id, word, make) => pushButton(id, word, `Copy: ${word}`, () => copyText(make()));
   const buttons = element("div", { class: "line buttons" },
-    button("reset", "Reset", "All as in the report", resetAll),
-    button("undo", "Undo", "Undo (ctrl z)", undo),
-    button("redo", "Redo", "Redo (ctrl y)", redo),
+    pushButton("reset", "Reset", "All as in the report", resetAll),
+    pushButton("undo", "Undo", "Undo (ctrl z)", undo),
+    pushButton("redo", "Redo", "Redo (ctrl y)", redo),
     keepButton(),
     ...(live.firstModes.length > 0 || engine.programs[0].coupled.length > 0 ? [assemblyChoice()] : []),
     element("span", { class: "choices" }, "Copy ", copy("copy-rust", "Rust", asRust), copy("copy-text", "text", asText), ...(host === null ? [copy("copy-link", "link", addressNow)] : [])));

@@ -85,16 +85,16 @@ function ownNumbers({ tables, true: rates, bands, picture: shown, live: { pictur
   });
 }
 
-// The function and the programs that give a table, and the sources of its arguments. `why` has the
-// reason if something is missing.
+// The function and the programs that give a table, the sources of its arguments, and what fills it.
+// `why` has the reason if something is missing.
 function bind(table) {
   for (const [number, unit] of engine.programs.entries()) {
     const fn = unit.functions.find((own) => own.name === table.function && namesAreThose(own.columns, table.columns));
     if (fn === undefined) continue;
     const names = fn.arguments.map((place) => [...unit.inputs, ...unit.arguments][place].name);
-    const missing = names.filter((name) => name !== input.name && !live.given.has(name));
+    const missing = names.filter((name) => !isKnown(name));
     const why = missing.length > 0 ? `nothing is known of ${missing.join(", ")}` : null;
-    return { table, number, fn, names, why };
+    return { table, number, fn, names, why, fill: fillTable };
   }
   return { table, why: "its programs are not part of the page" };
 }
@@ -201,7 +201,7 @@ function fillTables() {
     Object.assign(report, { accuracy: live.accuracy, gaps: live.gaps, reason: live.reason, changePoints: live.changePoints });
     return;
   }
-  for (const own of live.tables) if (own.why === null) fillTable(own);
+  for (const own of live.tables) if (own.why === null) own.fill(own);
   fillRates();
   fillBands();
   report.accuracy = live.accuracy.map(accuracyNow);
@@ -210,15 +210,23 @@ function fillTables() {
   report.changePoints = changePointWords();
 }
 
-function fillTable({ table, number, fn, names }) {
-  const own = live.assemblies[number];
+// A function of the input that returns the arguments of these names.
+function argumentsOf(names) {
   const at = names.map((name) => live.given.get(name));
   const place = names.indexOf(input.name);
+  return (x) => {
+    at[place] = x;
+    return at;
+  };
+}
+
+function fillTable({ table, number, fn, names }) {
+  const own = live.assemblies[number];
+  const at = argumentsAt(names);
   const out = new Float64Array(fn.columns.length);
   const lists = table.columns.map((column) => column.values);
   for (let row = 0; row < rowCount; row += 1) {
-    at[place] = input.values[row];
-    engine.evaluate(own, fn, at, out);
+    engine.evaluate(own, fn, at(row), out);
     for (let k = 0; k < out.length; k += 1) lists[k][row] = Number.isFinite(out[k]) ? out[k] : null;
   }
 }

@@ -18,15 +18,15 @@ function startPulling() {
 
 // The places of all points of the picture at a row with other dimensions; null where the mechanism cannot be assembled.
 function placesWith(dimensions, row) {
-  const own = live.tables[report.live.picture.table];
+  const { table, first } = report.live.picture;
+  const own = live.tables[table];
   if (own.why !== null) return null;
   try {
     const assemblies = assembledWith(dimensions, live.assemblies);
-    const at = own.names.map((name) => (name === input.name ? input.values[row] : live.given.get(name)));
     const out = new Float64Array(own.fn.columns.length);
-    engine.evaluate(assemblies[own.number], own.fn, at, out);
+    engine.evaluate(assemblies[own.number], own.fn, argumentsAt(own.names)(row), out);
     const size = picture.dimension;
-    return picture.points.map((_, k) => [...out.subarray(report.live.picture.first + k * size, report.live.picture.first + (k + 1) * size)]);
+    return picture.points.map((_, k) => [...out.subarray(first + k * size, first + (k + 1) * size)]);
   } catch (thrown) {
     if (thrown instanceof engine.AssemblyError) return null;
     throw thrown;

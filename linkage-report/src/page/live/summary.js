@@ -22,9 +22,8 @@ function quantityNow(quantity, order) {
 // A column of a table that is computed here, as its numbers at the rows and as a function of the input.
 function numberNow({ table, number, fn, names }, index) {
   const out = new Float64Array(fn.columns.length);
-  const at = names.map((name) => live.given.get(name));
-  const place = names.indexOf(input.name);
-  return { numbers: table.columns[index].values, at(x) { at[place] = x; engine.evaluate(live.assemblies[number], fn, at, out); return out[index]; } };
+  const at = argumentsOf(names);
+  return { numbers: table.columns[index].values, at(x) { engine.evaluate(live.assemblies[number], fn, at(x), out); return out[index]; } };
 }
 
 // The place and value where `sign * fold(quantity)` is largest; null where there is no number.
