@@ -10,7 +10,7 @@ use std::boxed::Box;
 use std::vec::Vec;
 
 use super::limits::{Limits, Linear};
-use super::normal::Normal;
+use super::normal::{Block, Normal};
 use super::objective::{Candidates, Evaluate, Free, Objective, Rows};
 use super::optimum::Optimum;
 use linkage_runtime::{DimensionSet, Parameter};
@@ -199,8 +199,8 @@ pub(crate) struct Evaluator<'a, M, A, const N: usize> {
     objectives: Vec<(Box<dyn Evaluate<M, A> + 'a>, Rows)>,
     mechanisms: Vec<M>,
     free: Vec<f64>,
-    places: Vec<usize>,
-    slopes: Vec<f64>,
+    block: Block,
+    free_slopes: Vec<(usize, f64)>,
 }
 
 impl<'a, M: DimensionSet<N> + Copy, A, const N: usize> Evaluator<'a, M, A, N> {
@@ -220,8 +220,8 @@ impl<'a, M: DimensionSet<N> + Copy, A, const N: usize> Evaluator<'a, M, A, N> {
                 .collect(),
             mechanisms: Vec::new(),
             free: Vec::new(),
-            places: Vec::new(),
-            slopes: Vec::new(),
+            block: Block::default(),
+            free_slopes: Vec::new(),
         }
     }
 
@@ -262,29 +262,26 @@ impl<'a, M: DimensionSet<N> + Copy, A, const N: usize> Evaluator<'a, M, A, N> {
         for (index, (_, rows)) in self.objectives.iter().enumerate() {
             let inputs = self.problem.inputs(index);
             let condition = self.problem.objectives[index].is_condition();
-            self.places.clear();
-            self.places.extend(0..varied.len());
+            self.block.clear(varied.len());
             for row in 0..rows.count() {
                 let (value, parameters, free) = rows.row(start, row);
-                self.slopes.clear();
                 let slopes = varied.iter().map(|&parameter| parameters[parameter]);
-                self.slopes.extend(slopes);
-                self.places.truncate(varied.len());
-                for (j, &slope) in inputs.clone().zip(free).filter(|(_, slope)| **slope != 0.0) {
-                    self.places.push(j);
-                    self.slopes.push(slope);
-                }
+                let free = inputs.clone().zip(free.iter().copied());
+                let free = free.filter(|(_, slope)| *slope != 0.0);
                 if condition {
                     let mut dense = std::vec![0.0; self.problem.limits.len()];
-                    self.places
-                        .iter()
-                        .zip(&self.slopes)
-                        .for_each(|(&j, &slope)| dense[j] = slope);
+                    for (j, slope) in slopes.enumerate().chain(free) {
+                        dense[j] = slope;
+                    }
                     normal.conditions.push((value, dense));
                 } else {
-                    normal.add(value, &self.places, &self.slopes);
+                    self.block.push(value, slopes);
+                    self.free_slopes.clear();
+                    self.free_slopes.extend(free);
+                    normal.add_inputs(&self.block, &self.free_slopes);
                 }
             }
+            normal.add_block(&self.block);
         }
     }
 }

@@ -85,9 +85,10 @@ impl Enclosure {
 
     /// Returns a value of these parts, within the bounds of the mean value theorem.
     fn from_parts(range: Bounds, middle: Bounds, slope: Bounds, half: f64) -> Self {
-        let aside = Bounds::between(-half, half);
+        // The product of the slope and of what lies half the length aside.
+        let most = slope.low.abs().max(slope.high.abs());
         let mean = match slope.low.is_finite() && slope.high.is_finite() {
-            true => middle + slope * aside,
+            true => middle + Bounds::around_zero(most * half).rounded(),
             false => Bounds::UNKNOWN,
         };
         Self {
@@ -144,8 +145,9 @@ impl Scalar for Enclosure {
 
     #[inline(never)]
     fn sqrt(self) -> Self {
-        let half = Bounds::exactly(0.5);
-        self.by(Bounds::sqrt, |range| half / range.sqrt())
+        let root = self.range.sqrt();
+        let slope = Bounds::exactly(0.5) / root * self.slope;
+        Self::from_parts(root, self.middle.sqrt(), slope, self.half)
     }
 
     fn tan(self) -> Self {
@@ -179,9 +181,12 @@ impl Scalar for Enclosure {
 
     #[inline(never)]
     fn sin_cos(self) -> (Self, Self) {
-        let sin = self.by(|range| range.sin_cos().0, |range| range.sin_cos().1);
-        let cos = self.by(|range| range.sin_cos().1, |range| -range.sin_cos().0);
-        (sin, cos)
+        let (sin, cos) = self.range.sin_cos();
+        let (middle_sin, middle_cos) = self.middle.sin_cos();
+        (
+            Self::from_parts(sin, middle_sin, cos * self.slope, self.half),
+            Self::from_parts(cos, middle_cos, -sin * self.slope, self.half),
+        )
     }
 
     #[inline(never)]
@@ -210,11 +215,9 @@ impl Scalar for Enclosure {
     #[inline(never)]
     fn root_with<const FUSED: bool>(self, _slack: Self, _size: Self) -> Self {
         let positive = |range: Bounds| Bounds::between(range.low.max(0.0), range.high);
-        let half = Bounds::exactly(0.5);
-        self.by(
-            |range| positive(range).sqrt(),
-            |range| half / positive(range).sqrt(),
-        )
+        let root = positive(self.range).sqrt();
+        let slope = Bounds::exactly(0.5) / root * self.slope;
+        Self::from_parts(root, positive(self.middle).sqrt(), slope, self.half)
     }
 
     #[inline(never)]

@@ -35,11 +35,19 @@ impl Bounds {
         }
     }
 
-    /// The same after a rounding of each bound.
-    fn rounded(self) -> Self {
+    /// Between a number and its negative.
+    pub(super) fn around_zero(size: f64) -> Self {
         Self {
-            low: self.low.next_down(),
-            high: self.high.next_up(),
+            low: -size,
+            high: size,
+        }
+    }
+
+    /// The same after a rounding of each bound.
+    pub(super) fn rounded(self) -> Self {
+        Self {
+            low: -next(-self.low),
+            high: next(self.high),
         }
     }
 
@@ -50,12 +58,16 @@ impl Bounds {
 
     /// The least bounds of some numbers; unknown if one of them is.
     fn around(numbers: [f64; 4]) -> Self {
-        if numbers.iter().any(|x| x.is_nan()) {
+        let [a, b, c, d] = numbers;
+        // All of them at once, and comparisons without a test of NaN: each is one instruction.
+        if a.is_nan() | b.is_nan() | c.is_nan() | d.is_nan() {
             return Self::UNKNOWN;
         }
+        let least = |x: f64, y: f64| if x < y { x } else { y };
+        let most = |x: f64, y: f64| if x > y { x } else { y };
         Self {
-            low: numbers.into_iter().fold(f64::INFINITY, f64::min),
-            high: numbers.into_iter().fold(f64::NEG_INFINITY, f64::max),
+            low: least(least(a, b), least(c, d)),
+            high: most(most(a, b), most(c, d)),
         }
     }
 
@@ -131,15 +143,16 @@ impl Bounds {
     }
 
     pub(super) fn sin_cos(self) -> (Self, Self) {
+        let [low, high] = [self.low, self.high].map(Scalar::sin_cos);
         (
-            self.wave(FRAC_PI_2, |(sin, _)| sin),
-            self.wave(0.0, |(_, cos)| cos),
+            self.wave(FRAC_PI_2, [low.0, high.0]),
+            self.wave(0.0, [low.1, high.1]),
         )
     }
 
-    /// Sine or cosine, which has its greatest value at `summit` and once in every turn from there.
-    fn wave(self, summit: f64, component: impl Fn((f64, f64)) -> f64) -> Self {
-        let [low, high] = [self.low, self.high].map(|x| component(Scalar::sin_cos(x)));
+    /// Sine or cosine, which has its greatest value at `summit` and once in every turn from there,
+    /// with its values at both bounds.
+    fn wave(self, summit: f64, [low, high]: [f64; 2]) -> Self {
         // Whether a whole number of turns from there is within the bounds, or beside them.
         let meets = |angle: f64| {
             let turns = [self.low, self.high].map(|x| (x - angle) / TAU);
@@ -179,6 +192,17 @@ impl Bounds {
             angle(y.high, x.high),
         ])
         .widened()
+    }
+}
+
+/// The next number above, as `f64::next_up`, without a jump for each sign.
+fn next(x: f64) -> f64 {
+    // Of both zeros the positive one.
+    let bits = (x + 0.0).to_bits() as i64;
+    let step = (bits >> 63) | 1;
+    match x < f64::INFINITY {
+        true => f64::from_bits(bits.wrapping_add(step) as u64),
+        false => x,
     }
 }
 
@@ -243,5 +267,48 @@ impl Div for Bounds {
             a.high / b.high,
         ])
         .rounded()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_next_number_is_that_of_the_library() {
+        let mut numbers = std::vec![
+            0.0,
+            1.0,
+            f64::MIN_POSITIVE,
+            5e-324,
+            f64::MAX,
+            f64::INFINITY,
+            2.0,
+            0.1
+        ];
+        numbers.extend((-1074..1024).map(|exponent| 1.3 * 2.0_f64.powi(exponent)));
+        for x in numbers.into_iter().flat_map(|x| [x, -x]) {
+            assert_eq!(next(x).to_bits(), x.next_up().to_bits(), "{x:e}");
+        }
+        assert!(next(f64::NAN).is_nan());
+    }
+
+    #[test]
+    fn least_bounds_are_those_of_folds() {
+        let numbers = [-3.0, -0.5, 0.0, 1.5, 2.0, f64::INFINITY, f64::NEG_INFINITY];
+        for a in numbers {
+            for b in numbers {
+                for c in numbers {
+                    let around = Bounds::around([a, b, c, 1.0]);
+                    assert_eq!(around.low, a.min(b).min(c).min(1.0));
+                    assert_eq!(around.high, a.max(b).max(c).max(1.0));
+                }
+            }
+            for at in 0..4 {
+                let mut four = [a; 4];
+                four[at] = f64::NAN;
+                assert!(!Bounds::around(four).is_known());
+            }
+        }
     }
 }
