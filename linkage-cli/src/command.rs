@@ -40,6 +40,7 @@ mod table;
 mod terminal;
 mod tolerance;
 mod unbounded;
+mod value_names;
 mod values;
 
 /// Mechanisms from their loop equations: checked, tabulated, shown.

@@ -4,8 +4,9 @@ use clap::Args;
 use linkage_compiler::ir::COMPONENTS;
 use linkage_compiler::{check_value, shortened};
 use linkage_engine::Mechanism;
-use proc_macro2::{TokenStream, TokenTree};
+use proc_macro2::TokenStream;
 
+use super::value_names::name_within;
 use crate::failure::{Failure, known_names};
 use crate::normal::normal;
 
@@ -239,29 +240,6 @@ fn decimal_comma(text: &str) -> Option<String> {
     Some(match before.contains('.') || after.contains(',') {
         true => "write a point before the decimals, and nothing between thousands".to_owned(),
         false => format!("write `{}`", text.replacen(',', ".", 1)),
-    })
-}
-
-/// A name of the mechanism in a value.
-fn name_within(mechanism: &Mechanism, tokens: TokenStream) -> Option<String> {
-    tokens.into_iter().find_map(|token| match token {
-        TokenTree::Ident(word) => {
-            let word = word.to_string();
-            let parameters = mechanism
-                .parameters()
-                .iter()
-                .map(|parameter| parameter.name);
-            let inputs = mechanism.inputs().iter().map(|input| input.name);
-            let unknowns = mechanism
-                .compiled()
-                .unknowns
-                .iter()
-                .map(|unknown| unknown.name.as_str());
-            let mut names = parameters.chain(inputs).chain(unknowns);
-            names.any(|name| name == word).then_some(word)
-        }
-        TokenTree::Group(group) => name_within(mechanism, group.stream()),
-        TokenTree::Punct(_) | TokenTree::Literal(_) => None,
     })
 }
 

@@ -177,6 +177,20 @@ fn assemblies_that_do_not_reach_the_reference_are_numbered_after_the_others() {
     }
 }
 
+/// A unit has its letters behind a number, whatever the mechanism calls its input.
+#[test]
+fn units_are_not_names() {
+    let folder = folder("units");
+    let text = "pub struct Ram { unit mm; input s = 100mm in 90mm..110mm at v; let y = s / 2; }
+        impl Ram { pub fn motion(s, v) -> Motion { speed: velocity(y) * v } }";
+    fs::write(folder.join("ram.mech"), text).expect("a file");
+    let at = ["table", "ram.mech", "motion"];
+    let said = printed(&folder, &[&at[..], &["--at", "v=-0.7m/s"]].concat());
+    assert!(said.contains("-350"), "{said}");
+    let said = refused(&folder, &[&at[..], &["--at", "v=-7*s"]].concat(), 1);
+    assert!(said.contains("`s` of Ram cannot be used here"), "{said}");
+}
+
 #[test]
 fn values_are_refused_in_words_of_the_command_line() {
     let folder = folder("values");
