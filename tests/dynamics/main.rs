@@ -2,5 +2,7 @@
 
 mod andrews;
 mod dead_point;
+mod engine;
 mod five_bar;
+mod four_bars;
 mod lid;
