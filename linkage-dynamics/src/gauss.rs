@@ -68,3 +68,25 @@ fn legendre<T: Scalar>(degree: usize, x: T) -> [T; 2] {
     let slope = whole(degree) * (x * value - before) / (x * x - one);
     [value, slope]
 }
+
+#[cfg(test)]
+mod tests {
+    use super::{GaussLegendre, refined};
+    use std::num::NonZeroUsize;
+
+    /// Newton's method finds the nodes of a table from places near them, and the weights with them.
+    #[test]
+    fn refined_nodes_are_those_of_the_table() {
+        for count in [1, 2, 10, 16] {
+            let rule = GaussLegendre::new(NonZeroUsize::new(count).expect("nodes"));
+            for &(node, weight) in rule.iter() {
+                let (found, found_weight) = refined(count, node + 1e-4);
+                assert!((found - node).abs() < 1e-15, "{count}: {node}");
+                assert!(
+                    (found_weight - weight).abs() < 1e-14 * weight,
+                    "{count}: {node}"
+                );
+            }
+        }
+    }
+}

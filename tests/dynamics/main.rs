@@ -2,6 +2,7 @@
 
 mod andrews;
 mod dead_point;
+mod derivatives;
 mod engine;
 mod five_bar;
 mod four_bars;
