@@ -103,6 +103,12 @@ linkage::mechanism! {
             slope: d(kinetic_energy() + potential_energy(), phi12),
         }
 
+        /// The equation of motion of the main crank, and the energies that check it.
+        pub fn motion(phi12, omega) -> Motion {
+            inertia: inertia(phi12), bias: bias(phi12), force: generalised_force(phi12),
+            kinetic: kinetic_energy(), potential: potential_energy(),
+        }
+
         /// What a page draws, and computes with.
         pub fn picture(phi12) -> Picture { shape: picture() }
 

@@ -292,6 +292,8 @@ pub mod design {
 }
 
 /// Dynamics: the motion that forces make, its events, steady states, motors, flywheels, frequencies.
+///
+/// Its picture is in the repository's `docs/dynamics.md`.
 #[cfg(feature = "dynamics")]
 pub mod dynamics {
     #![doc = include_str!("links.md")]

@@ -16,6 +16,7 @@ mod equilibrium;
 mod error;
 mod event;
 mod flywheel;
+mod gauss;
 mod machine;
 mod motion_problem;
 mod motor;

@@ -2,5 +2,8 @@
 
 mod andrews;
 mod dead_point;
+mod derivatives;
+mod engine;
 mod five_bar;
+mod four_bars;
 mod lid;

@@ -3,18 +3,16 @@
 use crate::check::Check;
 use crate::double_double::number::DoubleDouble;
 use linkage::Scalar;
+use linkage::dynamics::Conservative;
 use std::error::Error;
 use std::f64::consts::TAU;
 use std::str::FromStr;
 
 include!("../../mechanisms/andrews.rs");
+include!("../../mechanisms/andrews/decimals.rs");
 
-/// The crank at the start, and its acceleration there from rest (Test set for IVP solvers, release 2.4, problem
-/// "Andrews' squeezing mechanism").
-const START: [&str; 2] = [
-    "-0.0617138900142764496358948458001",
-    "14222.4439199541138705911625887",
-];
+/// The acceleration of the crank at the start from rest, by the same publication.
+const START_ACCELERATION: &str = "14222.4439199541138705911625887";
 
 /// The reference solution after 0.03 s: the angles beta, theta, gamma, phi, delta, Omega, epsilon.
 const ANGLES: [f64; 7] = [
@@ -39,12 +37,12 @@ fn known_answers_are_met() -> Result<(), Box<dyn Error>> {
     let motor = 0.033;
 
     println!("At the start, in f64 and with the decimals of the publication in double-double:");
-    let [beta, known] = START.map(|text| text.parse::<f64>());
+    let [beta, known] = [START, START_ACCELERATION].map(|text| text.parse::<f64>());
     let (beta, known) = (beta?, known?);
     let found = linkage.motion(beta, 0.0, motor).acceleration;
     check.near("acceleration, rad/s^2", found, known, 1e-13 * known);
-    let decimals = decimals(&mechanism)?.assemble()?;
-    let [beta, known] = START.map(DoubleDouble::from_str);
+    let decimals = decimals::<DoubleDouble>(&mechanism)?.assemble()?;
+    let [beta, known] = [START, START_ACCELERATION].map(DoubleDouble::from_str);
     let (beta, known) = (beta?, known?);
     let motor_in_decimals = DoubleDouble::from_str("0.033")?;
     let found = decimals.motion(beta, DoubleDouble::from_f64(0.0), motor_in_decimals);
@@ -76,21 +74,25 @@ fn known_answers_are_met() -> Result<(), Box<dyn Error>> {
     check.finish()
 }
 
-/// The dimensions with all digits of their decimals, which are the shortest texts of the doubles.
-fn decimals(mechanism: &Andrews) -> Result<Andrews<DoubleDouble>, Box<dyn Error>> {
-    let mut wide = mechanism.cast::<DoubleDouble>();
-    macro_rules! all {
-        ($($($name:ident).+),+ $(,)?) => {
-            $(wide.$($name).+ = DoubleDouble::from_str(&mechanism.$($name).+.to_string())?;)+
-        };
-    }
-    all!(
-        a.x, a.y, b.x, b.y, c.x, c.y, rr, ra, d, da, ss, sa, sb, sc, sd, e, ea, zt, ta, tb, zf
-    );
-    all!(
-        fa, u, ua, ub, m1, m2, m3, m4, m5, m6, m7, i1, i2, i3, i4, i5, i6, i7, stiffness, l0
-    );
-    Ok(wide)
+/// The angle after 0.03 s to more than 20 digits: the energy gives the speed, and its integral the time.
+#[test]
+fn angle_to_twenty_digits() -> Result<(), Box<dyn Error>> {
+    let linkage = decimals::<DoubleDouble>(&Andrews::default())?.assemble()?;
+    let [start, moment, end, known] = [START, "0.033", "0.03", ANGLE].map(DoubleDouble::from_str);
+    let (start, moment, end, known) = (start?, moment?, end?, known?);
+    let [zero, one, two] = [0.0, 1.0, 2.0].map(DoubleDouble::from_f64);
+    let function = |beta: DoubleDouble| {
+        let energy = linkage.energy(beta, one);
+        [two * energy.kinetic, moment * beta - energy.potential]
+    };
+    let energy = Conservative::new(function).start(start, zero);
+    let energy = energy.force(|beta| linkage.terms(beta, zero, moment).force);
+    let energy = energy.tolerance(1e-26);
+    let angle = energy.input(end)?;
+    println!("{angle}");
+    assert!((angle - known).lane(0).abs() < 1e-23 * known.lane(0));
+    assert!((energy.time(angle)? - end).lane(0).abs() < 1e-26);
+    Ok(())
 }
 
 /// The power of motor, spring and masses balances at any speed and acceleration.

@@ -99,20 +99,20 @@ fn events_at_quarters_of_the_period() {
 /// The energy integral: times from inputs and inputs from times, over 10^6 turns, too.
 #[test]
 fn energy_integral_of_a_pendulum() {
-    let falling = Conservative::new(|phi| [1.0, phi.cos()]).start(2.0, 0.0);
+    let falling = Conservative::new(|phi: f64| [1.0, phi.cos()]).start(2.0, 0.0);
     for share in [0.1, 0.5, 0.9, 1.0] {
         let time = share * FRAC_PI_2 / mean(1.0, 1.0_f64.cos());
         let [phi, omega] = pendulum(2.0, time);
         assert!((falling.time(phi).expect("a time") - time).abs() < 1e-13);
         assert!((falling.input(time).expect("an input") - phi).abs() < 1e-13);
         assert!((falling.speed(phi) + omega).abs() < 1e-14);
-        let exact = Conservative::new(|phi| [1.0, phi.cos()]).start(2.0, 0.0);
+        let exact = Conservative::new(|phi: f64| [1.0, phi.cos()]).start(2.0, 0.0);
         let exact = exact.force(|phi| -phi.sin());
         assert!((exact.time(phi).expect("a time") - time).abs() < 5e-15);
     }
     // A pendulum that turns: with `omega^2 = 4 + 4 cos^2(phi / 2)` a turn takes `4 K / sqrt(8)` of
     // the modulus `1 / sqrt(2)`.
-    let turning = Conservative::new(|phi| [1.0, phi.cos()]).start(0.0, 8.0_f64.sqrt());
+    let turning = Conservative::new(|phi: f64| [1.0, phi.cos()]).start(0.0, 8.0_f64.sqrt());
     let turning = turning.period(TAU);
     let turn = TAU / mean(8.0_f64.sqrt(), 2.0);
     let time = 1e6 * turn;

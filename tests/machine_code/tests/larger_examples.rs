@@ -47,6 +47,7 @@ check!(favorit_forces_: favorit_forces::Favorit, favorit_forces::FavoritAssembly
     forces [forces_sweep forces_sweep_sets] (phi12, omega),
     accelerations [accelerations_sweep accelerations_sweep_sets] (phi12),
     energy [energy_sweep energy_sweep_sets] (phi12, omega),
+    motion [motion_sweep motion_sweep_sets] (phi12, omega),
     picture [picture_sweep picture_sweep_sets] (phi12),
     shaking [shaking_sweep shaking_sweep_sets] (phi12, omega));
 check!(machine_needles: machine::NeedleDrive, machine::NeedleDriveAssembly:
