@@ -3,4 +3,5 @@
 mod andrews;
 mod dead_point;
 mod five_bar;
+mod friction;
 mod lid;
