@@ -430,3 +430,116 @@ fn derivatives_follow_the_contact_forces() {
         }
     }
 }
+
+interpreted! {
+    /// Two links, each with a drive, and friction in both pins.
+    pub struct Arm {
+        unit mm;
+        param mu = 0.3;
+        param payload = 2kg;
+        input one = 20deg in -90deg..90deg at one_speed, one_gain;
+        input two = 60deg in -90deg..90deg at two_speed, two_gain;
+        let elbow = polar(300mm, one);
+        let hand = elbow + polar(250mm, two);
+        gravity = (0, -9.80665m/s^2);
+        body upper = pin shoulder on frame at (0mm, 0mm), turns one, mass 3kg at elbow / 2, inertia 9000kg*mm^2;
+        body lower = pin joint on upper at elbow, turns two, mass 2kg at (elbow + hand) / 2, mass payload at hand, inertia 9000kg*mm^2;
+        friction mu on shoulder, radius 20mm;
+        friction mu on joint, radius 15mm;
+    }
+    impl Arm {
+        pub fn drives(one, two, one_speed, one_gain, two_speed, two_gain) -> ArmDrives {
+            one: torque(one), two: torque(two), p: power(), lost: friction_power(), f1: reaction(shoulder), f2: reaction(joint),
+        }
+        pub fn free(one, two, one_speed, two_speed) -> ArmFree { one: driven_acceleration(one), two: driven_acceleration(two) }
+        pub fn still(one, two, one_gain, two_gain) -> ArmStill { one: torque(one), two: torque(two) }
+    }
+}
+
+/// Several inputs: without drives no torque is left, and friction takes the power of its couples.
+#[test]
+fn arms_with_two_drives() {
+    let arm = Arm::default().assemble().expect("an arm");
+    for (one_speed, two_speed) in [(3.0, 5.0), (-3.0, 5.0), (4.0, 4.0), (2.0, -7.0)] {
+        let free = arm.free(0.3, 1.1, one_speed, two_speed);
+        let at = arm.drives(0.3, 1.1, one_speed, free.one, two_speed, free.two);
+        let size = at.f1.norm() * 20.0;
+        assert!(
+            at.one.abs() < 1e-10 * size && at.two.abs() < 1e-10 * size,
+            "{at:?}"
+        );
+        let relative: f64 = two_speed - one_speed;
+        let lost =
+            0.3 * (20.0 * at.f1.norm() * one_speed.abs() + 15.0 * at.f2.norm() * relative.abs());
+        assert!((at.lost - lost).abs() < 1e-12 * lost, "{} {lost}", at.lost);
+    }
+    // The couple in the elbow acts on both links.
+    let at = arm.drives(0.3, 1.1, 1e-9, 0.0, 2e-9, 0.0);
+    let still = arm.still(0.3, 1.1, 0.0, 0.0);
+    let couples = [0.3 * 20.0 * at.f1.norm(), 0.3 * 15.0 * at.f2.norm()];
+    assert!((at.two - still.two - couples[1]).abs() < 1e-9);
+    assert!((at.one - still.one - couples[0] + couples[1]).abs() < 1e-9);
+}
+
+interpreted! {
+    /// The same machine by joints and links.
+    pub struct Linked {
+        unit mm;
+        argument push = 500N;
+        input phi = 40deg in 0deg..360deg at omega, epsilon;
+        joint b1 = (0mm, 0mm), b2 = polar(40mm, 40deg), b3 = (145mm, 0mm), far = (175mm, 0mm);
+        link frame: b1;
+        link crank: b1, b2 at phi length 40mm;
+        link rod: b2, b3 length 120mm;
+        link piston: b3, far;
+        slider b4: b3 on frame along 0deg through b1, block piston;
+        force (-push, 0N) on piston at b3;
+        friction 0.12 on b1, radius 12mm;
+        friction 0.2 on b2, radius 10mm;
+        friction 0.15 on b3, radius 8mm;
+        friction 0.1 on b4;
+    }
+    impl Linked {
+        pub fn forces(phi, omega, push) -> LinkedForces { t: torque(phi), p: friction_power() }
+    }
+    /// Two of them side by side, one shaft.
+    pub struct Twins {
+        unit mm;
+        argument push = 500N;
+        input phi = 40deg in 0deg..360deg at omega, epsilon;
+        part left: Linked { phi = phi, push = push };
+        part right: Linked { phi = phi, push = push } at (0mm, 80mm), turned by 90deg;
+    }
+    impl Twins {
+        pub fn forces(phi, omega, push) -> TwinsForces { t: torque(phi), p: friction_power() }
+    }
+}
+
+#[test]
+fn links_and_parts_have_the_same_friction() {
+    let m = Circles {
+        mu4: 0.1,
+        ..Circles::default()
+    };
+    let loops = m.assemble().expect("an assembly");
+    let linked = Linked::default().assemble().expect("an assembly");
+    let twins = Twins::default().assemble().expect("an assembly");
+    for (phi, omega) in [(0.4, 3.0), (2.0, -1.0), (4.4, 0.2)] {
+        let expected = loops.forces(phi, omega, 500.0);
+        let found = linked.forces(phi, omega, 500.0);
+        assert!(
+            (found.t - expected.t).abs() < 1e-11 * expected.t.abs(),
+            "{} {}",
+            found.t,
+            expected.t
+        );
+        assert!((found.p - expected.p).abs() < 1e-12 * expected.p);
+        let both = twins.forces(phi, omega, 500.0);
+        assert!(
+            (both.t - 2.0 * expected.t).abs() < 1e-11 * expected.t.abs(),
+            "{}",
+            both.t
+        );
+        assert!((both.p - 2.0 * expected.p).abs() < 1e-12 * expected.p);
+    }
+}
