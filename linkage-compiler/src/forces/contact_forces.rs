@@ -23,9 +23,6 @@ use crate::algebra::{Algebra, DerivativeRule};
 /// fifth is below 1e-5, and 1e-11 where the forces without friction are of similar size.
 const STEPS: usize = 5;
 
-/// The largest last correction, as a share of all sizes. The error after it is about its square.
-const LAST_CORRECTION: f64 = 1e-8;
-
 /// Steps of the expression that derivatives are taken of. They begin at the solution: all derivatives
 /// up to the third order are then exact.
 const STEPS_OF_DERIVATIVES: usize = 2;
@@ -175,13 +172,16 @@ fn eliminate<'m>(mut matrix: Vec<Vec<Ex<'m>>>, mut right: Vec<Ex<'m>>) -> Soluti
     }
 }
 
-/// Returns a number that is not negative if the last correction is small enough.
+/// Returns a number that is not negative if the last correction is small enough: the error after it
+/// is about its square, as a share of all sizes, and that is rounding of the numbers that a program
+/// runs on.
 fn room_of_correction<'m>(graph: &'m Graph, values: &[Ex<'m>], before: &[Ex<'m>]) -> Ex<'m> {
     let zero = graph.number(0.0);
     let size = values.iter().fold(zero, |sum, &value| sum + value.abs());
     let corrections = values.iter().zip(before);
     let correction = corrections.fold(zero, |sum, (&value, &before)| sum + (value - before).abs());
-    LAST_CORRECTION * size - correction
+    let rounding = size.number(1.0).unary(Unary::Slack);
+    rounding.sqrt() * size - correction
 }
 
 #[cfg(test)]
