@@ -42,5 +42,6 @@ pub(super) fn efficiency<'m>(
     };
     let useful = driving::power(algebra, bodies, memo, &frictionless, with_reactions);
     let spent = useful + friction_power(algebra, bodies, memo, speeds);
-    useful.select(useful / spent, spent / useful)
+    // One division: a choice of two becomes a branch in machine code.
+    useful.select(useful, spent) / useful.select(spent, useful)
 }
