@@ -19,7 +19,7 @@
 
 (defconst linkage-mode--items
   '("unit" "const" "param" "input" "unknown" "let" "loop" "argument" "part" "gravity" "body" "arc"
-    "pin" "slide" "roller" "ball" "cylinder" "fixed" "force" "torque" "spring" "damper"
+    "pin" "slide" "roller" "ball" "cylinder" "fixed" "force" "torque" "spring" "damper" "friction"
     "joint" "link" "slider" "gears" "belt" "weld")
   "Words that items begin with.")
 
@@ -31,7 +31,7 @@
     "d" "velocity" "acceleration" "jerk" "omega" "alpha" "screw_point" "screw_direction" "screw_pitch"
     "sensitivity" "margin" "picture" "reaction" "moment" "torque" "force" "power"
     "kinetic_energy" "potential_energy" "shaking_force" "shaking_moment"
-    "inertia" "bias" "generalised_force" "driven_acceleration")
+    "inertia" "bias" "generalised_force" "driven_acceleration" "friction_power" "efficiency")
   "Words that can be called in expressions.")
 
 (defconst linkage-mode--number

@@ -1,6 +1,6 @@
 //! Static equilibria of one input, and natural frequencies of several.
 
-use linkage_core::numeric::bracket;
+use crate::sign_changes::{change_of_sign, samples};
 use nalgebra::DMatrix;
 
 /// Steps of differences, as parts of the range or of 1: errors of order four and of rounding are
@@ -46,31 +46,18 @@ pub fn equilibria(
     [low, high]: [f64; 2],
     parts: usize,
 ) -> Vec<Equilibrium> {
-    let width = (high - low) / parts.max(1) as f64;
-    let sample = |i: usize| {
-        let input = if i == parts {
-            high
-        } else {
-            low + width * i as f64
-        };
-        (input, force(input))
-    };
-    let samples: Vec<_> = (0..=parts).map(sample).collect();
+    let samples = samples(&force, [low, high], parts);
     let mut inputs: Vec<f64> = Vec::new();
     for (index, &(input, value)) in samples.iter().enumerate() {
         if value == 0.0 {
             inputs.push(input);
         }
-        let Some(&next) = samples.get(index + 1) else {
-            break;
-        };
-        if value * next.1 < 0.0 {
-            let mut value_at = |x: f64| [force(x), f64::NAN];
-            inputs.push(bracket::root((input, value), next, &mut value_at));
+        if let Some(&next) = samples.get(index + 1) {
+            inputs.extend(change_of_sign(&force, (input, value), next));
         }
     }
     let equilibrium = |input: f64| {
-        let step = DIFFERENCE * width;
+        let step = DIFFERENCE * (high - low) / parts.max(1) as f64;
         Equilibrium {
             input,
             stiffness: -slope(step, |offset| [force(input + offset)])[0],

@@ -208,7 +208,16 @@ pub(crate) fn is_argument(kind: NameKind) -> bool {
 fn is_valued(word: &str) -> bool {
     matches!(
         word,
-        "loop" | "gravity" | "force" | "torque" | "spring" | "damper" | "gears" | "belt" | "weld"
+        "loop"
+            | "gravity"
+            | "force"
+            | "torque"
+            | "spring"
+            | "damper"
+            | "friction"
+            | "gears"
+            | "belt"
+            | "weld"
     )
 }
 

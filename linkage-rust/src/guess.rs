@@ -76,6 +76,7 @@ impl<'a> Guess<'a> {
                 | Item::Torque(_)
                 | Item::Spring(_)
                 | Item::Damper(_)
+                | Item::Friction(_)
                 | Item::Linked(_) => {}
             }
         }
@@ -211,6 +212,8 @@ impl<'a> Guess<'a> {
             | MechanicsWord::Torque
             | MechanicsWord::Force
             | MechanicsWord::Power
+            | MechanicsWord::FrictionPower
+            | MechanicsWord::Efficiency
             | MechanicsWord::KineticEnergy
             | MechanicsWord::PotentialEnergy => Shape::Scalar,
         }

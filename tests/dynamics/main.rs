@@ -6,4 +6,5 @@ mod derivatives;
 mod engine;
 mod five_bar;
 mod four_bars;
+mod friction;
 mod lid;

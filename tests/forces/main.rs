@@ -10,6 +10,7 @@ mod derivatives;
 mod driven;
 mod five_bar;
 mod four_bar;
+mod friction;
 mod geared_lever;
 mod gears;
 mod guides;

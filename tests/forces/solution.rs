@@ -51,6 +51,11 @@ impl Solution {
         self.drives[joint]
     }
 
+    /// The couple of a joint.
+    pub(crate) fn couple(&self, joint: usize) -> Vector {
+        self.couples[joint]
+    }
+
     /// The power of all drives.
     pub(crate) fn power(&self, instant: &Instant) -> f64 {
         let driven = self.joints.iter().zip(&self.drives);

@@ -20,6 +20,7 @@ module.exports = {
     $.pair_item,
     $.load_item,
     $.element_item,
+    $.friction_item,
     $.joints_item,
     $.link_item,
     $.slider_item,

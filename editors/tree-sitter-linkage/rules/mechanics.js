@@ -47,6 +47,12 @@ module.exports = {
     clauses(choice($.on_clause, $.end_clause, $.free_clause)),
   ),
 
+  friction_item: ($) => seq(
+    "friction",
+    field("value", $._expression),
+    clauses(choice($.on_clause, $.radius_clause, $.length_clause)),
+  ),
+
   // Joints and links.
 
   joints_item: ($) => seq("joint", listed($.drawn_joint)),

@@ -4,6 +4,7 @@ use linkage_symbolic::{Ex, Vn};
 
 use crate::algebra::Algebra;
 use crate::forces::context::Memo;
+use crate::forces::loading::Loading;
 use crate::forces::multibody::Multibody;
 use crate::forces::speeds::{AngularVelocities, Speeds};
 use crate::forces::wrench::Wrench;
@@ -14,10 +15,11 @@ pub(super) fn own_wrench<'m>(
     algebra: &mut Algebra<'m>,
     bodies: &Multibody<'m>,
     memo: &mut Memo<'m>,
-    speeds: &Speeds,
+    loading: &Loading,
     body: usize,
 ) -> Wrench<'m> {
-    let loads = loads::loads(algebra, bodies, memo, speeds);
+    let loads = loads::loads(algebra, bodies, memo, loading);
+    let speeds = &loading.speeds;
     let body_loads = &loads.bodies[body];
     let mut sum = Wrench::zero(algebra.graph, &bodies.geometry);
     for load in &body_loads.forces {

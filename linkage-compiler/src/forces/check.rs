@@ -8,7 +8,7 @@ use crate::forces::multibody::Multibody;
 use crate::forces::positions::Positions;
 use crate::forces::system::{Equation, LARGEST_BLOCK, System};
 use crate::forces::{
-    assemble, ends, fit, freedom, loop_matches, names, rank, shared_angles, steady,
+    assemble, ends, fit, freedom, friction_check, loop_matches, names, rank, shared_angles, steady,
 };
 use crate::machine::Reference;
 use crate::model::{EvaluatorDef, Mechanism};
@@ -32,13 +32,20 @@ pub(crate) fn check<'m>(
     fit::check_fit(algebra, bodies, &mut memo.turns, &positions, reporter);
     ends::check_lengths(algebra, &positions, reporter);
     bodies.facts = steady::steady_motion(algebra, bodies, &mut memo.turns, &positions);
-    let mut functions = mechanism.evaluators.iter();
-    if reporter.errors() == before && functions.any(EvaluatorDef::asks_for_reactions) {
+    friction_check::check_numbers(algebra, bodies, &mut memo.turns, &positions, reporter);
+    let with_friction = !mechanism.frictions.is_empty();
+    let asks = |function: &EvaluatorDef| {
+        function.asks_for_reactions() || with_friction && function.asks_for_friction()
+    };
+    if reporter.errors() == before && mechanism.evaluators.iter().any(asks) {
         bodies.loop_values.arms = loop_matches::link_arms(algebra, bodies, &positions, nominal);
         let system = assemble::system(algebra, bodies, memo);
         check_system(algebra, bodies, memo, &system, &positions, reporter);
         bodies.loop_values.determinants =
             loop_matches::loop_determinants(algebra, &system, &positions, nominal);
+        if reporter.errors() == before {
+            friction_check::warn_of_jams(algebra, bodies, memo, &positions, reporter);
+        }
     }
 }
 

@@ -7,6 +7,7 @@ use linkage_symbolic::lookup::Map;
 
 use crate::algebra::Algebra;
 use crate::forces::body_loads::Loads;
+use crate::forces::loading::Loading;
 use crate::forces::multibody::Multibody;
 use crate::forces::speeds::{AngularVelocities, Speeds};
 use crate::forces::system::System;
@@ -30,14 +31,13 @@ pub(super) struct Memo<'m> {
     pub(super) inertias: Map<[usize; 2], Ex<'m>>,
     /// The accelerations of all inputs without drives, for each set of speeds.
     pub(super) driven: Map<Speeds, Rc<Vec<Ex<'m>>>>,
-    /// The forces for each set of speeds and accelerations that functions list.
-    pub(super) cases: Cases<'m>,
+    /// The contact forces of joints with friction, for each set of speeds.
+    pub(super) contact_forces: Map<Speeds, Rc<Vec<Ex<'m>>>>,
+    /// The forces of each set of loads.
+    pub(super) cases: Map<Loading, Case<'m>>,
 }
 
-/// The forces for each set of speeds and accelerations.
-pub(super) type Cases<'m> = Map<Speeds, Case<'m>>;
-
-/// The forces at some speeds.
+/// The forces of some loads.
 #[derive(Clone, Debug)]
 pub(super) struct Case<'m> {
     pub(super) loads: Rc<Loads<'m>>,

@@ -10,9 +10,12 @@ use linkage_symbolic::Ex;
 use crate::algebra::{Algebra, positive_definite};
 use crate::forces::body_loads::Loads;
 use crate::forces::context::Memo;
+use crate::forces::loading::{LoadSet, Loading};
 use crate::forces::multibody::Multibody;
 use crate::forces::speeds::{AngularVelocities, By, Speeds};
-use crate::forces::{fixed_pins, inertia, loads, masses, motion, virtual_work};
+use crate::forces::{
+    contact_forces, contacts, fixed_pins, friction, inertia, loads, masses, motion, virtual_work,
+};
 
 /// An entry of the mass matrix: `sum m p_a . p_b + sum w_a . I w_b`, with velocities at unit speeds
 /// of the inputs.
@@ -111,7 +114,8 @@ fn weight_work<'m>(algebra: &mut Algebra<'m>, by: By) -> Ex<'m> {
     sum
 }
 
-/// The work of forces, torques, springs and dampers per motion of an input.
+/// The work of forces, torques, springs, dampers and friction per motion of an input. Friction is
+/// that of drives which hold the motion.
 pub(super) fn generalised_force<'m>(
     algebra: &mut Algebra<'m>,
     bodies: &Multibody<'m>,
@@ -119,7 +123,24 @@ pub(super) fn generalised_force<'m>(
     speeds: &Speeds,
     input: usize,
 ) -> Ex<'m> {
-    let turns = &mut memo.turns;
+    let mut loads = Loads::none(algebra.mechanism.bodies.len());
+    loads::add_applied(algebra, bodies, &mut memo.turns, speeds, &mut loads);
+    if friction::acts(algebra.mechanism, speeds) {
+        let forces = friction::contact_forces(algebra, bodies, memo, speeds);
+        let turns = &mut memo.turns;
+        loads::add_friction(algebra, bodies, turns, speeds, &forces, &mut loads);
+    }
+    virtual_work::work(algebra, bodies, &mut memo.turns, &loads, input)
+}
+
+/// The work of forces, torques, springs and dampers per motion of an input.
+fn applied_work<'m>(
+    algebra: &mut Algebra<'m>,
+    bodies: &Multibody<'m>,
+    turns: &mut AngularVelocities<'m>,
+    speeds: &Speeds,
+    input: usize,
+) -> Ex<'m> {
     let mut loads = Loads::none(algebra.mechanism.bodies.len());
     loads::add_applied(algebra, bodies, turns, speeds, &mut loads);
     virtual_work::work(algebra, bodies, turns, &loads, input)
@@ -143,12 +164,77 @@ pub(super) fn driven_acceleration<'m>(
             .map(|b| inertia(algebra, bodies, memo, [a, b]))
             .collect()
     };
-    let matrix = inputs.clone().map(row).collect();
+    let matrix: Vec<Vec<Ex>> = inputs.clone().map(row).collect();
     let right = inputs.map(|input| {
-        generalised_force(algebra, bodies, memo, &speeds, input)
+        applied_work(algebra, bodies, &mut memo.turns, &speeds, input)
             - bias(algebra, bodies, memo, &speeds, input)
     });
-    let accelerations = Rc::new(positive_definite::solve(matrix, right.collect()));
+    let right = right.collect();
+    let mut accelerations = positive_definite::solve(Vec::clone(&matrix), right);
+    if friction::acts(algebra.mechanism, &speeds) {
+        accelerations = with_friction(algebra, bodies, memo, &speeds, matrix, accelerations);
+    }
+    let accelerations = Rc::new(accelerations);
     memo.driven.insert(speeds, accelerations.clone());
     accelerations[input]
+}
+
+/// The same with friction, given the mass matrix and the accelerations without friction. Reactions
+/// depend on accelerations, and these on the friction that reactions cause: both are linear in the
+/// contact forces.
+fn with_friction<'m>(
+    algebra: &mut Algebra<'m>,
+    bodies: &Multibody<'m>,
+    memo: &mut Memo<'m>,
+    speeds: &Speeds,
+    matrix: Vec<Vec<Ex<'m>>>,
+    frictionless: Vec<Ex<'m>>,
+) -> Vec<Ex<'m>> {
+    let shares: Vec<Vec<Ex>> = (0..algebra.mechanism.frictions.len())
+        .map(|number| {
+            let work = friction_work(algebra, bodies, &mut memo.turns, speeds, number);
+            positive_definite::solve(matrix.clone(), work)
+        })
+        .collect();
+    let mut surfaces = friction::surfaces(algebra, bodies, memo, speeds);
+    for input in 0..frictionless.len() {
+        let unit = Loading {
+            speeds: Speeds::unit_acceleration(algebra.mechanism, input),
+            loads: LoadSet::Inertia,
+        };
+        let forces = friction::forces_in(algebra, bodies, memo, &unit);
+        let surfaces = surfaces.iter_mut().flatten();
+        for (surface, force) in surfaces.zip(forces.into_iter().flatten()) {
+            surface.start = surface.start + frictionless[input] * force;
+            for (share, accelerations) in surface.shares.iter_mut().zip(&shares) {
+                *share = *share + accelerations[input] * force;
+            }
+        }
+    }
+    let sizes = contact_forces::sizes(algebra, &surfaces);
+    let sum = |(input, frictionless): (usize, Ex<'m>)| {
+        let shares = shares.iter().zip(&sizes);
+        shares.fold(frictionless, |sum, (share, &size)| {
+            sum + share[input] * size
+        })
+    };
+    frictionless.into_iter().enumerate().map(sum).collect()
+}
+
+/// The work of one joint's friction per motion of each input, for a contact force of 1.
+fn friction_work<'m>(
+    algebra: &mut Algebra<'m>,
+    bodies: &Multibody<'m>,
+    turns: &mut AngularVelocities<'m>,
+    speeds: &Speeds,
+    number: usize,
+) -> Vec<Ex<'m>> {
+    let friction = &algebra.mechanism.frictions[number];
+    let sense = contacts::sense(algebra, bodies, turns, speeds, friction);
+    let mut loads = Loads::none(algebra.mechanism.bodies.len());
+    contacts::add_friction(algebra, bodies, &mut loads, friction, sense);
+    let inputs = 0..algebra.mechanism.inputs.len();
+    inputs
+        .map(|input| virtual_work::work(algebra, bodies, turns, &loads, input))
+        .collect()
 }

@@ -8,8 +8,8 @@ use linkage_symbolic::{Ex, Vector, Vn};
 
 use crate::algebra::{Algebra, cofactors};
 use crate::forces::context::Memo;
+use crate::forces::loading::Loading;
 use crate::forces::multibody::Multibody;
-use crate::forces::speeds::Speeds;
 use crate::forces::system::{Axial, Equation, LARGEST_BLOCK, System, Unknown};
 use crate::forces::wrench::{Carried, Wrench};
 use crate::forces::{assemble, body_wrench, cut_joints, links, loads};
@@ -21,7 +21,7 @@ pub(super) fn across_link<'m>(
     algebra: &mut Algebra<'m>,
     bodies: &Multibody<'m>,
     memo: &mut Memo<'m>,
-    speeds: &Speeds,
+    loading: &Loading,
     axial: &Axial,
 ) -> Wrench<'m> {
     // Without the reaction itself.
@@ -29,7 +29,7 @@ pub(super) fn across_link<'m>(
         algebra,
         bodies,
         memo,
-        speeds,
+        loading,
         axial.link,
         &[axial.joint],
         &[],
@@ -57,13 +57,13 @@ pub(super) fn closing_wrench<'m>(
     algebra: &mut Algebra<'m>,
     bodies: &Multibody<'m>,
     memo: &mut Memo<'m>,
-    speeds: &Speeds,
+    loading: &Loading,
     joint: usize,
     open: &[usize],
 ) -> Wrench<'m> {
     let system = assemble::system(algebra, bodies, memo);
     let mut sum = match system.axial.iter().find(|link| link.joint == joint) {
-        Some(axial) => across_link(algebra, bodies, memo, speeds, axial),
+        Some(axial) => across_link(algebra, bodies, memo, loading, axial),
         None => Wrench::zero(algebra.graph, &bodies.geometry),
     };
     for (index, unknown) in system.unknowns.iter().enumerate() {
@@ -73,7 +73,7 @@ pub(super) fn closing_wrench<'m>(
         if component.joint != joint || open.contains(&index) {
             continue;
         }
-        let part = solved(algebra, bodies, memo, speeds, index) * component.direction;
+        let part = solved(algebra, bodies, memo, loading, index) * component.direction;
         if component.is_moment {
             sum.moment = sum.moment + part
         } else {
@@ -88,10 +88,10 @@ pub(super) fn solved<'m>(
     algebra: &mut Algebra<'m>,
     bodies: &Multibody<'m>,
     memo: &mut Memo<'m>,
-    speeds: &Speeds,
+    loading: &Loading,
     unknown: usize,
 ) -> Ex<'m> {
-    if let Some(&known) = loads::case(algebra, bodies, memo, speeds)
+    if let Some(&known) = loads::case(algebra, bodies, memo, loading)
         .solved
         .get(&unknown)
     {
@@ -115,7 +115,7 @@ pub(super) fn solved<'m>(
                 algebra,
                 bodies,
                 memo,
-                speeds,
+                loading,
                 &system,
                 equation,
                 &found_here,
@@ -130,11 +130,11 @@ pub(super) fn solved<'m>(
     let factor = 1.0 / determinant;
     for (&unknown, numerator) in found_here.iter().zip(numerators) {
         let value = numerator * factor;
-        loads::case(algebra, bodies, memo, speeds)
+        loads::case(algebra, bodies, memo, loading)
             .solved
             .insert(unknown, value);
     }
-    loads::case(algebra, bodies, memo, speeds).solved[&unknown]
+    loads::case(algebra, bodies, memo, loading).solved[&unknown]
 }
 
 /// The part of an equation that is known before its block is solved.
@@ -142,7 +142,7 @@ pub(super) fn known<'m>(
     algebra: &mut Algebra<'m>,
     bodies: &Multibody<'m>,
     memo: &mut Memo<'m>,
-    speeds: &Speeds,
+    loading: &Loading,
     system: &System<'m>,
     equation: usize,
     block: &[usize],
@@ -152,7 +152,7 @@ pub(super) fn known<'m>(
     let open: Vec<usize> = (0..system.unknowns.len()).filter(is_open).collect();
     match &system.equations[equation] {
         Equation::Released(component) => {
-            let wrench = closing_wrench(algebra, bodies, memo, speeds, component.joint, &open);
+            let wrench = closing_wrench(algebra, bodies, memo, loading, component.joint, &open);
             component.direction.dot(if component.is_moment {
                 wrench.moment
             } else {
@@ -160,7 +160,7 @@ pub(super) fn known<'m>(
             })
         }
         Equation::Motion(way) => {
-            wrench(algebra, bodies, memo, speeds, way.body, &[], &open).along(way)
+            wrench(algebra, bodies, memo, loading, way.body, &[], &open).along(way)
         }
     }
 }
@@ -171,7 +171,7 @@ pub(super) fn wrench<'m>(
     algebra: &mut Algebra<'m>,
     bodies: &Multibody<'m>,
     memo: &mut Memo<'m>,
-    speeds: &Speeds,
+    loading: &Loading,
     body: usize,
     inside: &[usize],
     open: &[usize],
@@ -197,20 +197,20 @@ pub(super) fn wrench<'m>(
     };
     let open: Vec<usize> = open.iter().filter(touches).copied().collect();
     let carried = Carried { body, inside, open };
-    if let Some(&known) = loads::case(algebra, bodies, memo, speeds)
+    if let Some(&known) = loads::case(algebra, bodies, memo, loading)
         .wrenches
         .get(&carried)
     {
         return known;
     }
     let Carried { inside, open, .. } = &carried;
-    let mut sum = body_wrench::own_wrench(algebra, bodies, memo, speeds, body);
+    let mut sum = body_wrench::own_wrench(algebra, bodies, memo, loading, body);
     for joint in crossing {
         let sign = cut_joints::at_ends(algebra.mechanism, joint, body);
         if sign == 0 {
             continue;
         }
-        let reaction = closing_wrench(algebra, bodies, memo, speeds, joint, open);
+        let reaction = closing_wrench(algebra, bodies, memo, loading, joint, open);
         let reaction = if sign < 0 { -reaction } else { reaction };
         let point = bodies.geometry.points[joint];
         sum = sum + reaction.with_arm(bodies.arm(body, point));
@@ -219,19 +219,19 @@ pub(super) fn wrench<'m>(
         let Unknown::Tie(tie) = unknown else { continue };
         let couple = tie.couples.iter().find(|(tied, _)| *tied == body);
         if let Some(&(_, share)) = couple.filter(|_| !open.contains(&index)) {
-            let couple = Vector([share * solved(algebra, bodies, memo, speeds, index)]);
+            let couple = Vector([share * solved(algebra, bodies, memo, loading, index)]);
             sum.moment = sum.moment + couple.into();
         }
     }
     for child in bodies.tree.children[body].clone() {
-        let mut beyond = wrench(algebra, bodies, memo, speeds, child, inside, open);
+        let mut beyond = wrench(algebra, bodies, memo, loading, child, inside, open);
         if open.is_empty() && is_balanced(algebra.mechanism, bodies, &system, child, inside) {
             beyond.moment = bodies.geometry.zero_turn(algebra.graph);
         }
         let point = bodies.geometry.origins[child];
         sum = sum + beyond.with_arm(bodies.arm(body, point));
     }
-    loads::case(algebra, bodies, memo, speeds)
+    loads::case(algebra, bodies, memo, loading)
         .wrenches
         .insert(carried, sum);
     sum

@@ -1,50 +1,116 @@
-//! The loads on each body: inertia forces and weight, applied loads, springs and dampers.
+//! The loads on each body: inertia forces and weight, applied loads, springs, dampers and friction.
 
 use std::rc::Rc;
 
 use linkage_symbolic::lookup::Map;
-use linkage_symbolic::{Vector, Vn};
+use linkage_symbolic::{Ex, Vector, Vn};
 
 use crate::algebra::{Algebra, Translate};
 use crate::forces::body_loads::{BodyLoads, Loads, PointForce};
 use crate::forces::context::{Case, Memo};
 use crate::forces::geometry::Geometry;
+use crate::forces::loading::{LoadSet, Loading};
 use crate::forces::multibody::Multibody;
 use crate::forces::speeds::{AngularVelocities, Speeds};
-use crate::forces::{geometry, inertia, masses, motion, springs};
+use crate::forces::{contacts, geometry, inertia, masses, motion, springs};
 use crate::model::Expr;
 
-/// The forces at the speeds that are listed, the loads at least.
+/// The forces of a loading, the loads at least.
 pub(super) fn case<'c, 'm>(
     algebra: &mut Algebra<'m>,
     bodies: &Multibody<'m>,
     memo: &'c mut Memo<'m>,
-    speeds: &Speeds,
+    loading: &Loading,
 ) -> &'c mut Case<'m> {
-    if !memo.cases.contains_key(speeds) {
+    if !memo.cases.contains_key(loading) {
         let case = Case {
-            loads: Rc::new(all_loads(algebra, bodies, &mut memo.turns, speeds)),
+            loads: Rc::new(loads_of_set(algebra, bodies, memo, loading)),
             wrenches: Map::new(),
             solved: Map::new(),
         };
-        memo.cases.insert(speeds.clone(), case);
+        memo.cases.insert(loading.clone(), case);
     }
-    let case = memo.cases.get_mut(speeds);
+    let case = memo.cases.get_mut(loading);
     case.expect("just made")
 }
 
-/// The loads at the speeds that are listed.
+/// The loads of a loading.
 pub(super) fn loads<'m>(
     algebra: &mut Algebra<'m>,
     bodies: &Multibody<'m>,
     memo: &mut Memo<'m>,
-    speeds: &Speeds,
+    loading: &Loading,
 ) -> Rc<Loads<'m>> {
-    case(algebra, bodies, memo, speeds).loads.clone()
+    case(algebra, bodies, memo, loading).loads.clone()
 }
 
-/// Computes the loads at the speeds that are listed.
-fn all_loads<'m>(
+/// Computes the loads of a set.
+fn loads_of_set<'m>(
+    algebra: &mut Algebra<'m>,
+    bodies: &Multibody<'m>,
+    memo: &mut Memo<'m>,
+    loading: &Loading,
+) -> Loads<'m> {
+    let speeds = &loading.speeds;
+    match loading.loads {
+        LoadSet::Frictionless => frictionless(algebra, bodies, &mut memo.turns, speeds),
+        LoadSet::WithFriction => {
+            let contact_forces = memo.contact_forces.get(speeds).cloned();
+            let contact_forces = contact_forces.expect("contact forces are found before");
+            let turns = &mut memo.turns;
+            let mut loads = frictionless(algebra, bodies, turns, speeds);
+            add_friction(algebra, bodies, turns, speeds, &contact_forces, &mut loads);
+            loads
+        }
+        LoadSet::Inertia => inertia_alone(algebra, bodies, &mut memo.turns, speeds),
+        LoadSet::UnitFriction(number) => {
+            let mut loads = Loads::none(algebra.mechanism.bodies.len());
+            let friction = &algebra.mechanism.frictions[number];
+            let one = algebra.one();
+            contacts::add_friction(algebra, bodies, &mut loads, friction, one);
+            loads
+        }
+    }
+}
+
+/// Adds the friction of all joints, given their contact forces.
+pub(super) fn add_friction<'m>(
+    algebra: &mut Algebra<'m>,
+    bodies: &Multibody<'m>,
+    turns: &mut AngularVelocities<'m>,
+    speeds: &Speeds,
+    contact_forces: &[Ex<'m>],
+    loads: &mut Loads<'m>,
+) {
+    let frictions = algebra.mechanism.frictions.iter();
+    for (friction, &force) in frictions.zip(contact_forces) {
+        let sense = contacts::sense(algebra, bodies, turns, speeds, friction);
+        contacts::add_friction(algebra, bodies, loads, friction, sense * force);
+    }
+}
+
+/// Returns `-m a` at each mass, and the couple of each body's rotation.
+fn inertia_alone<'m>(
+    algebra: &mut Algebra<'m>,
+    bodies: &Multibody<'m>,
+    turns: &mut AngularVelocities<'m>,
+    speeds: &Speeds,
+) -> Loads<'m> {
+    let mut loads = Loads::none(algebra.mechanism.bodies.len());
+    for body in 0..algebra.mechanism.bodies.len() {
+        for (mass, point) in masses::masses(algebra, body) {
+            let force = -(mass * motion::point_acceleration(algebra, speeds, point));
+            loads.add(Some(body), Some(point), force);
+        }
+        if let Some(couple) = inertia::inertia_couple(algebra, bodies, turns, speeds, body) {
+            loads.add(Some(body), None, -couple);
+        }
+    }
+    loads
+}
+
+/// Computes the loads at the speeds that are listed, without friction.
+fn frictionless<'m>(
     algebra: &mut Algebra<'m>,
     bodies: &Multibody<'m>,
     turns: &mut AngularVelocities<'m>,

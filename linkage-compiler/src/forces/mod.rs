@@ -15,7 +15,7 @@
 //! | `tree` | the tree of bodies |
 //! | `geometry` | origins, angles, axes as expressions, and the motions that joints allow |
 //! | `positions` | the positions at which numbers are checked |
-//! | `joint_motion`, `speeds`, `wrench`, `body_loads`, `loop_values`, `system` | types |
+//! | `joint_motion`, `speeds`, `loading`, `wrench`, `body_loads`, `loop_values`, `system` | types |
 //! | `multibody` | the bodies, and facts about them that numbers show |
 //! | `context` | the bodies with the results that are known, and the question of a function |
 //! | `names` | joints, bodies and elements as messages name them |
@@ -23,9 +23,9 @@
 //! | `masses`, `inertia` | masses, and moments of inertia when a body turns |
 //! | `fixed_pins` | inertia of bodies that turn about a pin on the frame |
 //! | `springs` | springs and dampers on each body |
-//! | `loads` | inertia, weight, loads and springs on each body |
+//! | `contacts` | joints with friction: surfaces, speeds, friction for a given contact force |
+//! | `loads` | inertia, weight, loads, springs and friction on each body |
 //! | `virtual_work` | work of loads per motion of an input |
-//! | `dynamics` | mass matrix, bias, generalised forces, accelerations without drives |
 //! | `freedom` | motions of the tree's joints that nothing drives |
 //! | `cut_joints` | sides of cut joints |
 //! | `links` | links that leave one number of a reaction open |
@@ -33,20 +33,30 @@
 //! | `rank` | blocks of equations that do not determine their unknowns |
 //! | `loop_matches` | arms and determinants that the loops' closed forms have already |
 //! | `body_wrench`, `equilibrium` | wrenches beyond joints and the reactions of cut joints |
+//! | `reactions` | reactions of all joints |
+//! | `contact_forces` | contact forces that depend on the friction that they cause |
+//! | `friction` | friction from the reactions that it changes |
+//! | `dynamics` | mass matrix, bias, generalised forces, accelerations without drives |
+//! | `driving` | torques, forces and power of drives |
+//! | `losses` | power of friction, efficiency |
 //! | `quantities` | the quantities that functions ask for |
 //! | `ends`, `fit` | checks on numbers |
 //! | `steady` | facts about the motion that only numbers show |
 //! | `shared_angles` | bodies whose angles follow from one unknown, for messages |
 //! | `print` | the order in which reactions are found, for golden files |
+//! | `friction_check` | checks numbers of friction |
 //! | `check` | checks whether forces can be found from the declarations |
 
 mod assemble;
 mod body_loads;
 mod body_wrench;
 mod check;
+mod contact_forces;
+mod contacts;
 mod context;
 mod cut_joints;
 mod drives;
+mod driving;
 mod dynamics;
 mod ends;
 mod equations;
@@ -54,13 +64,17 @@ mod equilibrium;
 mod fit;
 mod fixed_pins;
 mod freedom;
+mod friction;
+mod friction_check;
 mod geometry;
 mod inertia;
 mod joint_motion;
 mod links;
+mod loading;
 mod loads;
 mod loop_matches;
 mod loop_values;
+mod losses;
 mod masses;
 mod motion;
 mod multibody;
@@ -69,6 +83,7 @@ mod positions;
 mod print;
 pub(crate) mod quantities;
 mod rank;
+mod reactions;
 mod shared_angles;
 mod speeds;
 mod springs;

@@ -6,19 +6,23 @@ use linkage_symbolic::{Ex, Vector, Vn};
 use crate::algebra::{Algebra, Direction, derivatives::direction, derivatives::partial, scalar};
 use crate::forces::geometry::BodyTurn;
 use crate::forces::multibody::Multibody;
-use crate::forces::speeds::{AngularVelocities, By, Speed, Speeds};
+use crate::forces::speeds::{AngularVelocities, By, Rate, Speeds};
 use crate::model::Variable;
 
 /// The speed of an input, if it is listed.
 pub(super) fn speed<'m>(algebra: &Algebra<'m>, speeds: &Speeds, input: usize) -> Option<Ex<'m>> {
-    speeds.speeds[input].map(|speed| match speed {
-        Speed::Listed(argument) => algebra.input(argument),
-        Speed::Unit => algebra.one(),
-    })
+    speeds.speeds[input].map(|speed| value(algebra, speed))
 }
 
 fn acceleration<'m>(algebra: &Algebra<'m>, speeds: &Speeds, input: usize) -> Option<Ex<'m>> {
-    speeds.accelerations[input].map(|argument| algebra.input(argument))
+    speeds.accelerations[input].map(|acceleration| value(algebra, acceleration))
+}
+
+fn value<'m>(algebra: &Algebra<'m>, rate: Rate) -> Ex<'m> {
+    match rate {
+        Rate::Listed(argument) => algebra.input(argument),
+        Rate::Unit => algebra.one(),
+    }
 }
 
 /// True if anything moves in time.

@@ -3,17 +3,14 @@
 use linkage_symbolic::{Ex, Vn};
 
 use crate::algebra::{Algebra, Translate, Value};
-use crate::forces::context::{Forces, Memo, Question};
+use crate::forces::context::{Forces, Question};
 use crate::forces::geometry::Geometry;
 use crate::forces::multibody::Multibody;
-use crate::forces::speeds::{AngularVelocities, By, Speeds};
-use crate::forces::system::{System, Unknown};
-use crate::forces::wrench::Wrench;
+use crate::forces::speeds::{AngularVelocities, Speeds};
 use crate::forces::{
-    assemble, dynamics, equilibrium, freedom, geometry, inertia, loads, masses, motion, springs,
-    virtual_work,
+    driving, dynamics, friction, geometry, inertia, losses, masses, motion, reactions, springs,
 };
-use crate::model::{Between, Element, ElementKind, MechanicalQuantity as Quantity, Rotation};
+use crate::model::{Between, Element, ElementKind, MechanicalQuantity as Quantity};
 
 /// The value of a quantity in a function.
 pub(crate) fn quantity<'m>(
@@ -24,14 +21,32 @@ pub(crate) fn quantity<'m>(
 ) -> Value<'m> {
     let Forces { bodies, memo } = forces;
     let bodies = &*bodies;
-    let speeds = &question.speeds;
+    let Question {
+        speeds,
+        with_reactions,
+    } = question;
     match quantity {
-        Quantity::Reaction(joint) => reaction(algebra, bodies, memo, speeds, *joint).force.into(),
-        Quantity::Moment(joint) => {
-            turn_value(reaction(algebra, bodies, memo, speeds, *joint).moment)
+        Quantity::Reaction(joint) => {
+            let loading = friction::loading(algebra, bodies, memo, speeds);
+            let reaction = reactions::reaction(algebra, bodies, memo, &loading, *joint);
+            reaction.force.into()
         }
-        Quantity::Drive(input) => drive(algebra, bodies, memo, question, *input).into(),
-        Quantity::Power => power(algebra, bodies, memo, question).into(),
+        Quantity::Moment(joint) => {
+            let loading = friction::loading(algebra, bodies, memo, speeds);
+            turn_value(reactions::reaction(algebra, bodies, memo, &loading, *joint).moment)
+        }
+        Quantity::Drive(input) => {
+            let loading = friction::loading(algebra, bodies, memo, speeds);
+            driving::drive(algebra, bodies, memo, &loading, *with_reactions, *input).into()
+        }
+        Quantity::Power => {
+            let loading = friction::loading(algebra, bodies, memo, speeds);
+            driving::power(algebra, bodies, memo, &loading, *with_reactions).into()
+        }
+        Quantity::FrictionPower => losses::friction_power(algebra, bodies, memo, speeds).into(),
+        Quantity::Efficiency => {
+            losses::efficiency(algebra, bodies, memo, speeds, *with_reactions).into()
+        }
         Quantity::KineticEnergy => kinetic_energy(algebra, bodies, &mut memo.turns, speeds).into(),
         Quantity::PotentialEnergy => potential_energy(algebra, bodies).into(),
         Quantity::ShakingForce => shaking_force(algebra, &bodies.geometry, speeds).into(),
@@ -65,103 +80,6 @@ pub(crate) fn quantity<'m>(
             dynamics::driven_acceleration(algebra, bodies, memo, speeds, *input).into()
         }
     }
-}
-
-/// The force and moment that a joint transmits to its body, without the part of a drive in its
-/// motion.
-fn reaction<'m>(
-    algebra: &mut Algebra<'m>,
-    bodies: &Multibody<'m>,
-    memo: &mut Memo<'m>,
-    speeds: &Speeds,
-    joint: usize,
-) -> Wrench<'m> {
-    if bodies.tree.closing.contains(&joint) {
-        return equilibrium::closing_wrench(algebra, bodies, memo, speeds, joint, &[]);
-    }
-    let declared = &algebra.mechanism.joints[joint];
-    let (body, kind) = (declared.body, declared.kind);
-    let mut reaction = -equilibrium::wrench(algebra, bodies, memo, speeds, body, &[], &[]);
-    let Some(direction) = bodies.geometry.directions[joint] else {
-        return reaction;
-    };
-    let system = assemble::system(algebra, bodies, memo);
-    // Where nothing drives it, equilibrium leaves nothing along the guide or about the axis.
-    if kind.slides() && is_driven(&system, body, true) {
-        reaction.force = reaction.force.across(direction);
-    }
-    // A roller of the plane has a direction, too, and no moment at all.
-    let has_axis = kind.rotation() == Rotation::AboutAxis && !bodies.geometry.is_plane();
-    if has_axis && is_driven(&system, body, false) {
-        reaction.moment = reaction.moment.across(direction);
-    }
-    reaction
-}
-
-fn is_driven(system: &System, body: usize, slides: bool) -> bool {
-    let mut driven = system.driven.iter();
-    driven.any(|way| way.body == body && way.slides == slides)
-}
-
-/// The torque or force of a drive.
-fn drive<'m>(
-    algebra: &mut Algebra<'m>,
-    bodies: &Multibody<'m>,
-    memo: &mut Memo<'m>,
-    question: &Question,
-    input: usize,
-) -> Ex<'m> {
-    if question.with_reactions {
-        drive_of_joints(algebra, bodies, memo, &question.speeds, input)
-    } else {
-        let loads = loads::loads(algebra, bodies, memo, &question.speeds);
-        -virtual_work::work(algebra, bodies, &mut memo.turns, &loads, input)
-    }
-}
-
-/// The force or torque that holds the driven joints against everything beyond them. It costs little
-/// if reactions are computed anyway.
-fn drive_of_joints<'m>(
-    algebra: &mut Algebra<'m>,
-    bodies: &Multibody<'m>,
-    memo: &mut Memo<'m>,
-    speeds: &Speeds,
-    input: usize,
-) -> Ex<'m> {
-    let system = assemble::system(algebra, bodies, memo);
-    let mut sum = algebra.zero();
-    for way in &system.driven {
-        let rate = freedom::relative_rate(algebra, bodies, &mut memo.turns, way, By::Input(input));
-        if !rate.is_zero() {
-            sum -= rate
-                * equilibrium::wrench(algebra, bodies, memo, speeds, way.body, &[], &[]).along(way);
-        }
-    }
-    // Gears that run on a driven shaft load it.
-    for (index, unknown) in system.unknowns.iter().enumerate() {
-        let Unknown::Tie(tie) = unknown else { continue };
-        let rate = freedom::tie_rate(algebra, bodies, &mut memo.turns, tie, input);
-        if !rate.is_zero() {
-            sum += rate * equilibrium::solved(algebra, bodies, memo, speeds, index);
-        }
-    }
-    sum
-}
-
-/// `sum Q w`
-fn power<'m>(
-    algebra: &mut Algebra<'m>,
-    bodies: &Multibody<'m>,
-    memo: &mut Memo<'m>,
-    question: &Question,
-) -> Ex<'m> {
-    let zero = algebra.zero();
-    (0..algebra.mechanism.inputs.len()).fold(zero, |sum, input| {
-        match motion::speed(algebra, &question.speeds, input) {
-            None => sum,
-            Some(speed) => sum + drive(algebra, bodies, memo, question, input) * speed,
-        }
-    })
 }
 
 /// `1/2 (sum m v^2 + sum w . I w)`

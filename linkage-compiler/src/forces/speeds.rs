@@ -9,17 +9,17 @@ use crate::model::Mechanism;
 /// drive.
 #[derive(Clone, Debug, Default, PartialEq, Eq, Hash)]
 pub(super) struct Speeds {
-    pub(super) speeds: Vec<Option<Speed>>,
-    pub(super) accelerations: Vec<Option<usize>>,
+    pub(super) speeds: Vec<Option<Rate>>,
+    pub(super) accelerations: Vec<Option<Rate>>,
 }
 
-/// The speed of a drive.
+/// The speed or acceleration of a drive.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub(super) enum Speed {
+pub(super) enum Rate {
     /// An argument of the function, as a place among inputs and arguments.
     Listed(usize),
-    /// One radian or one unit of length in a second: what is quadratic in the speed is multiplied by
-    /// its square later, once.
+    /// One radian or one unit of length in a second, or in the square of one: the result is
+    /// multiplied later, once.
     Unit,
 }
 
@@ -49,8 +49,36 @@ impl Speeds {
         let mut moving = (0..self.speeds.len()).filter(|&drive| self.speeds[drive].is_some());
         let drive = moving.next()?;
         let mut unit = self.steady();
-        unit.speeds[drive] = Some(Speed::Unit);
+        unit.speeds[drive] = Some(Rate::Unit);
         moving.next().is_none().then_some((drive, unit))
+    }
+
+    /// No speed, and no acceleration.
+    pub(super) fn at_rest(mechanism: &Mechanism) -> Self {
+        let none = vec![None; mechanism.inputs.len()];
+        Self {
+            speeds: none.clone(),
+            accelerations: none,
+        }
+    }
+
+    /// One drive with the speed 1, the others at rest.
+    pub(super) fn unit_speed(mechanism: &Mechanism, drive: usize) -> Self {
+        let mut speeds = Self::at_rest(mechanism);
+        speeds.speeds[drive] = Some(Rate::Unit);
+        speeds
+    }
+
+    /// One drive with the acceleration 1, from rest.
+    pub(super) fn unit_acceleration(mechanism: &Mechanism, drive: usize) -> Self {
+        let mut speeds = Self::at_rest(mechanism);
+        speeds.accelerations[drive] = Some(Rate::Unit);
+        speeds
+    }
+
+    /// True if a drive has a speed.
+    pub(super) fn has_speed(&self) -> bool {
+        self.speeds.iter().any(Option::is_some)
     }
 
     /// Those among the arguments that a function lists.
@@ -58,13 +86,14 @@ impl Speeds {
         let drives = mechanism.inputs.len();
         let listed_index = |argument: Option<usize>| {
             let index = argument.map(|argument| drives + argument);
-            index.filter(|index| listed.contains(index))
+            let index = index.filter(|index| listed.contains(index));
+            index.map(Rate::Listed)
         };
         let inputs = mechanism.inputs.iter();
         Self {
             speeds: inputs
                 .clone()
-                .map(|input| listed_index(input.speed).map(Speed::Listed))
+                .map(|input| listed_index(input.speed))
                 .collect(),
             accelerations: inputs
                 .map(|input| listed_index(input.acceleration))

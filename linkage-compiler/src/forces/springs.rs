@@ -144,7 +144,7 @@ pub(super) fn joint_coordinate<'m>(
 }
 
 /// The rate of that coordinate.
-fn joint_speed<'m>(
+pub(super) fn joint_speed<'m>(
     algebra: &mut Algebra<'m>,
     bodies: &Multibody<'m>,
     turns: &mut AngularVelocities<'m>,

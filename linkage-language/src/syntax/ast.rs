@@ -10,7 +10,7 @@ use super::keyword::{DeclarationWord, ItemWord, LoadWord};
 use super::link_elements::LinkElements;
 use super::link_inventory::{LinkInventory, LinkLoop};
 use super::linked_tree::LinkedItem;
-use super::mechanics_tree::{BodyItem, ElementItem, JointItem, LoadItem, Member};
+use super::mechanics_tree::{BodyItem, ElementItem, FrictionItem, JointItem, LoadItem, Member};
 use crate::diagnostic::{Diagnostics, SourceSpan};
 
 /// One mechanism of the macro's input: its struct block and its `impl` blocks.
@@ -86,6 +86,7 @@ pub enum Item {
     Torque(LoadItem),
     Spring(ElementItem),
     Damper(ElementItem),
+    Friction(FrictionItem),
     Arc(ArcItem),
     /// A joint, a link or the like. `model::links` replaces all of them by other items.
     Linked(LinkedItem),
@@ -244,6 +245,7 @@ impl Item {
             Item::Torque(_) => ItemWord::Load(LoadWord::Torque),
             Item::Spring(_) => ItemWord::Load(LoadWord::Spring),
             Item::Damper(_) => ItemWord::Load(LoadWord::Damper),
+            Item::Friction(_) => ItemWord::Load(LoadWord::Friction),
             Item::Linked(item) => ItemWord::Linked(item.word()),
         }
     }

@@ -87,7 +87,9 @@ impl ClauseRule {
             | ClauseWord::About
             | ClauseWord::Turns
             | ClauseWord::Turned
-            | ClauseWord::Free => Self::value(word),
+            | ClauseWord::Free
+            | ClauseWord::Radius
+            | ClauseWord::Length => Self::value(word),
         }
     }
 }

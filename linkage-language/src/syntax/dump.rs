@@ -6,7 +6,9 @@ use super::ast::{ArcItem, GivenPart, InputItem, Item, MechanismDef, PartItem};
 use super::expression_tree::{BinaryOp, Expr, ExprKind, Toleranced};
 use super::keyword::JointKind;
 use super::linked_tree::{DrawnJoint, LinkItem, LinkedItem, SlidePath, SliderItem, WheelsItem};
-use super::mechanics_tree::{Between, BodyItem, ElementItem, JointItem, LoadItem, Member};
+use super::mechanics_tree::{
+    Between, BodyItem, ElementItem, FrictionItem, JointItem, LoadItem, Member,
+};
 use super::vocabulary::Word;
 
 /// Prints values one after the other, all in the form of the formatter.
@@ -68,6 +70,7 @@ impl Display for Line<'_> {
             Item::Joint(item) => show!(f, item),
             Item::Force(item) | Item::Torque(item) => show!(f, item),
             Item::Spring(item) | Item::Damper(item) => show!(f, item),
+            Item::Friction(item) => show!(f, item),
             Item::Linked(item) => show!(f, item),
         }
     }
@@ -152,6 +155,14 @@ impl Display for ElementItem {
     fn fmt(&self, f: &mut Formatter) -> fmt::Result {
         show!(f, self.value, " ", self.between)?;
         optional(f, ", free ", self.free.as_ref())
+    }
+}
+
+impl Display for FrictionItem {
+    fn fmt(&self, f: &mut Formatter) -> fmt::Result {
+        show!(f, self.coefficient, " on ", self.joint)?;
+        optional(f, ", radius ", self.radius.as_ref())?;
+        optional(f, ", length ", self.length.as_ref())
     }
 }
 

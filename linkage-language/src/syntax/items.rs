@@ -77,6 +77,7 @@ impl Parser<'_> {
                     LoadWord::Torque => Item::Torque(self.torque_item(start)?),
                     LoadWord::Spring => Item::Spring(self.spring_item(start)?),
                     LoadWord::Damper => Item::Damper(self.damper_item(start)?),
+                    LoadWord::Friction => Item::Friction(self.friction_item(start)?),
                 };
                 Ok((item, self.end_of_item().is_ok()))
             }

@@ -54,6 +54,8 @@ vocabulary! {
         Spring = "spring",
         /// A damper between two bodies or in a joint.
         Damper = "damper",
+        /// Dry friction in a pin or slide, from its reaction.
+        Friction = "friction",
     }
 }
 
@@ -100,6 +102,10 @@ vocabulary! {
         To = "to",
         /// The length or angle without force.
         Free = "free",
+        /// The radius of a pin with friction.
+        Radius = "radius",
+        /// The length of the block of a slide with friction.
+        Length = "length",
     }
 }
 

@@ -1,11 +1,11 @@
-//! Forces, torques, springs and dampers.
+//! Forces, torques, springs, dampers and friction.
 
 use super::ast::GravityItem;
 use super::clauses::{Clause, ClauseRule, Clauses, Owner};
 use super::expression::PlusMinus;
 use super::expression_tree::{Expr, ExprKind};
 use super::keyword::{ClauseWord, LoadWord};
-use super::mechanics_tree::{Between, ElementItem, LoadItem, Member};
+use super::mechanics_tree::{Between, ElementItem, FrictionItem, LoadItem, Member};
 use super::parser::{Parsed, Parser, Reported};
 use super::vocabulary::Word;
 use crate::diagnostic::SourceSpan;
@@ -34,6 +34,12 @@ const SPRING: [ClauseRule; 4] = [
     DAMPER[1],
     DAMPER[2],
     ClauseRule::value(ClauseWord::Free),
+];
+
+const FRICTION: [ClauseRule; 3] = [
+    DAMPER[2],
+    ClauseRule::value(ClauseWord::Radius),
+    ClauseRule::value(ClauseWord::Length),
 ];
 
 impl Parser<'_> {
@@ -95,6 +101,26 @@ impl Parser<'_> {
     /// `expr from BODY at expr to BODY at expr` or `expr on JOINT` after `damper`.
     pub(super) fn damper_item(&mut self, span: SourceSpan) -> Parsed<ElementItem> {
         self.element(LoadWord::Damper, &DAMPER, span)
+    }
+
+    /// `expr on JOINT [, radius expr] [, length expr]` after `friction`.
+    pub(super) fn friction_item(&mut self, span: SourceSpan) -> Parsed<FrictionItem> {
+        let owner = Owner {
+            what: LoadWord::Friction.word(),
+            form: "friction VALUE on PIN, radius VALUE` or `friction VALUE on SLIDE",
+            span,
+        };
+        let coefficient = self.load_value(owner)?;
+        let mut clauses = self.clauses(owner, &FRICTION);
+        self.require(&clauses, owner, &[ClauseWord::On]);
+        let joint = clauses.take_name(ClauseWord::On).ok_or(Reported)?;
+        Ok(FrictionItem {
+            coefficient,
+            joint,
+            radius: clauses.take_value(ClauseWord::Radius),
+            length: clauses.take_value(ClauseWord::Length),
+            span: span.to(self.stream.previous_span()),
+        })
     }
 
     fn element(

@@ -83,6 +83,18 @@ pub struct ElementItem {
     pub span: SourceSpan,
 }
 
+/// `friction expr on JOINT [, radius expr] [, length expr];`
+#[derive(Debug)]
+pub struct FrictionItem {
+    pub coefficient: Expr,
+    pub joint: Member,
+    /// Of a pin.
+    pub radius: Option<Expr>,
+    /// Of the block of a slide: the distance of its ends, between which a moment acts.
+    pub length: Option<Expr>,
+    pub span: SourceSpan,
+}
+
 #[derive(Debug)]
 pub enum Between {
     /// `from BODY at expr to BODY at expr`

@@ -211,7 +211,11 @@ fn names_of(item: &Item) -> Vec<(ItemName, Kind)> {
         Item::Joint(item) => item.joint.name.iter().flat_map(value).collect(),
         Item::Linked(item) => of_linked(item),
         Item::Unit(_) | Item::Loop(_) | Item::Gravity(_) => Vec::new(),
-        Item::Force(_) | Item::Torque(_) | Item::Spring(_) | Item::Damper(_) => Vec::new(),
+        Item::Force(_)
+        | Item::Torque(_)
+        | Item::Spring(_)
+        | Item::Damper(_)
+        | Item::Friction(_) => Vec::new(),
     }
 }
 

@@ -1,4 +1,4 @@
-//! Reactions, torques and energies: in space, with several drives, and beside a group without a closed form.
+//! Reactions, torques and energies: in space, with several drives, beside a group without a closed form, with friction.
 //!
 //! The workspace builds this package with optimisation in every profile.
 #![cfg(all(target_arch = "x86_64", target_os = "linux"))]
@@ -114,6 +114,33 @@ mechanism! {
     }
 }
 
+mechanism! {
+    /// Dry pins and a dry guide.
+    pub struct Dry {
+        unit mm;
+        param mu = 0.1;
+        argument push = 500N;
+        input phi = 40deg in 0deg..360deg at omega;
+        unknown theta = -10deg;
+        unknown x = 150mm;
+        let p = polar(40mm, phi);
+        loop p + polar(120mm, theta) = (x, 0);
+
+        body crank = pin on frame at (0, 0), turns phi, inertia 3000kg*mm^2;
+        body rod = pin big on crank at p, turns theta, mass 300g at p, inertia 500kg*mm^2;
+        body piston = slide guide on frame at (x, 0) along (1, 0), mass 500g at (x, 0);
+        pin small = rod on piston at (x, 0);
+        force (-push, 0) on piston at (x, 0);
+        friction mu on big, radius 10mm;
+        friction mu on small, radius 8mm;
+        friction mu on guide, length 60mm;
+    }
+    impl Dry {
+        pub fn forces(phi, omega, push) -> DryForces { small: reaction(small), t: torque(phi), eta: efficiency() }
+        pub fn free(phi, omega, push) -> DryFree { epsilon: driven_acceleration(phi), by_mu: d(torque(phi), mu) }
+    }
+}
+
 check!(rssr: Rssr, RssrAssembly:
     forces [forces_sweep forces_sweep_sets] (phi, omega, epsilon, load),
     statics [statics_sweep statics_sweep_sets] (phi, load),
@@ -125,3 +152,6 @@ check!(five_bar: FiveBar, FiveBarAssembly:
     free [free_sweep free_sweep_sets] (left, right, left_speed, right_speed, payload));
 check!(platform: Platform, PlatformAssembly:
     forces [forces_sweep forces_sweep_sets] (phi, omega));
+check!(dry: Dry, DryAssembly:
+    forces [forces_sweep forces_sweep_sets] (phi, omega, push),
+    free [free_sweep free_sweep_sets] (phi, omega, push));

@@ -36,7 +36,7 @@
     "d" "velocity" "acceleration" "jerk" "omega" "alpha" "screw_point" "screw_direction" "screw_pitch"
     "sensitivity" "margin" "picture" "reaction" "moment" "torque" "force" "power"
     "kinetic_energy" "potential_energy" "shaking_force" "shaking_moment"
-    "inertia" "bias" "generalised_force" "driven_acceleration"))
+    "inertia" "bias" "generalised_force" "driven_acceleration" "friction_power" "efficiency"))
 
 ; Laws of motion, ends of splines and marks of knots.
 ((call
@@ -63,7 +63,7 @@
 ["struct" "impl" "fn" "pub" "crate" "super" "self"] @keyword
 [
   "unit" "const" "param" "input" "unknown" "let" "loop" "argument" "part" "gravity" "body" "arc"
-  "force" "torque" "spring" "damper"
+  "force" "torque" "spring" "damper" "friction"
   "joint" "link" "slider" "gears" "belt" "weld"
 ] @keyword
 (pair_kind) @keyword

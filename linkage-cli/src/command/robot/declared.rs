@@ -236,6 +236,7 @@ fn declared(definition: &MechanismDef) -> Result<Declared, Failure> {
             Item::Torque(_) => loads.push("torque"),
             Item::Spring(_) => loads.push("spring"),
             Item::Damper(_) => loads.push("damper"),
+            Item::Friction(_) => loads.push("friction"),
             _ => {}
         }
     }

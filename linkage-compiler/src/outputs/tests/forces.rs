@@ -138,3 +138,28 @@ fn in_space() {
         );
     }
 }
+
+#[test]
+fn friction_in_pins_and_slides() {
+    let items = format!(
+        "{LOADS} param mu = 0.12; unknown t = -20deg; unknown x = 150mm;
+         let q = polar(a, phi); let r = q + polar(b, t);
+         loop r = polar(x, lift / 4) + (e, e);
+         body crank = pin j1 on frame at (0mm, 0mm), turns phi, mass m at q / 2;
+         body rod = pin j2 on crank at q, turns t, mass n at (q + r) / 2, inertia i;
+         body slider = slide j4 on frame at r along dir(lift / 4), mass m at r + (0, e);
+         pin j3 = rod on slider at r;
+         force (load, 0) on slider at r;
+         friction mu on j2, radius a / 5; friction mu / 2 on j3, radius 5mm; friction mu on j4, length b / 3;"
+    );
+    for quantities in ["torque(phi)", "driven_acceleration(phi)", "reaction(j3)"] {
+        for wrapped in [quantities.to_owned(), format!("velocity({quantities})")] {
+            expect_agreement(
+                &items,
+                &format!(
+                    "f(phi, omega, epsilon, load) -> R {{ s: sensitivity({wrapped}, [mu, a, m]) }}"
+                ),
+            );
+        }
+    }
+}

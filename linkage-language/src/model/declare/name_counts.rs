@@ -68,6 +68,7 @@ impl Counts {
             | Item::Torque(_)
             | Item::Spring(_)
             | Item::Damper(_)
+            | Item::Friction(_)
             | Item::Linked(_) => return None,
         })
     }

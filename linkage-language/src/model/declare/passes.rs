@@ -4,8 +4,8 @@
 //! one pass keep the order in which they are written.
 
 use crate::syntax::{
-    ArcItem, BodyItem, ElementItem, GravityItem, InputItem, Item, JointItem, LoadItem, LoopItem,
-    MechanismDef, NamedItem, ParamItem, PartItem, UnitItem, UnknownItem,
+    ArcItem, BodyItem, ElementItem, FrictionItem, GravityItem, InputItem, Item, JointItem,
+    LoadItem, LoopItem, MechanismDef, NamedItem, ParamItem, PartItem, UnitItem, UnknownItem,
 };
 
 /// Items with their positions in the struct block, in the order of the passes.
@@ -53,6 +53,7 @@ pub(in crate::model) enum Mechanical<'a> {
     Torque(&'a LoadItem),
     Spring(&'a ElementItem),
     Damper(&'a ElementItem),
+    Friction(&'a FrictionItem),
 }
 
 impl<'a> Passes<'a> {
@@ -90,6 +91,7 @@ impl<'a> Passes<'a> {
                 Item::Torque(item) => passes.mechanics.push(Mechanical::Torque(item)),
                 Item::Spring(item) => passes.mechanics.push(Mechanical::Spring(item)),
                 Item::Damper(item) => passes.mechanics.push(Mechanical::Damper(item)),
+                Item::Friction(item) => passes.mechanics.push(Mechanical::Friction(item)),
                 // Other items have taken their place.
                 Item::Linked(_) => {}
             }

@@ -74,6 +74,8 @@ impl<'a> Show<'a> {
                 write!(f, "drive({})", input(*of))
             }
             MechanicalQuantity::Power => f.write_str("power()"),
+            MechanicalQuantity::FrictionPower => f.write_str("friction_power()"),
+            MechanicalQuantity::Efficiency => f.write_str("efficiency()"),
             MechanicalQuantity::KineticEnergy => f.write_str("kinetic_energy()"),
             MechanicalQuantity::PotentialEnergy => f.write_str("potential_energy()"),
             MechanicalQuantity::ShakingForce => f.write_str("shaking_force()"),

@@ -3,7 +3,7 @@
 use std::fmt::{self, Write};
 
 use super::expressions::{Show, joint_name};
-use crate::model::types::{Between, Body, Expr, Inertia, Joint, Load, Mechanism};
+use crate::model::types::{Between, Body, Contact, Expr, Inertia, Joint, Load, Mechanism};
 use crate::syntax::Word;
 
 /// One line for each body, joint and load.
@@ -39,6 +39,16 @@ pub(in crate::model) fn write_mechanics(out: &mut String, mechanism: &Mechanism)
             write!(out, ", free {}", show(free))?;
         }
         writeln!(out, ": {}", element.value.ty)?;
+    }
+    for friction in &mechanism.frictions {
+        let joint = joint_name(mechanism, friction.joint);
+        write!(out, "friction {} on {joint}", show(&friction.coefficient))?;
+        match &friction.contact {
+            Contact::Pin(radius) => write!(out, ", radius {}", show(radius))?,
+            Contact::Guide(Some(length)) => write!(out, ", length {}", show(length))?,
+            Contact::Guide(None) => {}
+        }
+        writeln!(out)?;
     }
     Ok(())
 }

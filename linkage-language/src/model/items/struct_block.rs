@@ -54,6 +54,7 @@ pub(in crate::model) fn resolve_items(
         joints: Vec::new(),
         loads: Vec::new(),
         elements: Vec::new(),
+        frictions: Vec::new(),
         arcs: Vec::new(),
         evaluators: Vec::new(),
         links: definition.links.clone(),

@@ -82,7 +82,8 @@ fn has_forces(definition: &MechanismDef) -> bool {
         | Item::Force(_)
         | Item::Torque(_)
         | Item::Spring(_)
-        | Item::Damper(_) => true,
+        | Item::Damper(_)
+        | Item::Friction(_) => true,
         Item::Linked(LinkedItem::Link(link)) => {
             !link.masses.is_empty() || !link.inertias.is_empty()
         }
@@ -223,6 +224,7 @@ pub(super) fn rename(definition: &mut MechanismDef, renamed: &BTreeMap<String, S
                 Between::Points(ends) => ends.iter_mut().for_each(|(member, _)| rename(member)),
                 Between::Joint(joint) => rename(joint),
             },
+            Item::Friction(friction) => rename(&mut friction.joint),
             Item::Body(body) => rename(&mut body.joint.on),
             Item::Joint(joint) => {
                 rename(&mut joint.body);

@@ -46,6 +46,7 @@ pub(in crate::model) fn declare_members(
             Mechanical::Joint(item) => declare_joint(members, sink, &item.joint),
             // The others have no names.
             Mechanical::Gravity(_) => {}
+            Mechanical::Friction(_) => members.has_friction = true,
             Mechanical::Force(_)
             | Mechanical::Torque(_)
             | Mechanical::Spring(_)
@@ -88,6 +89,7 @@ pub(in crate::model) fn declare_bodies_of_part(
     let mut masses = mechanism.bodies.iter();
     members.has_masses |= masses.any(|body| !body.masses.is_empty() || !body.inertias.is_empty());
     members.has_loads |= !mechanism.loads.is_empty() || !mechanism.elements.is_empty();
+    members.has_friction |= !mechanism.frictions.is_empty();
     let bodies = mechanism.bodies.iter().enumerate();
     let bodies = bodies.map(|(index, body)| {
         let member = Member::Body(first + index);

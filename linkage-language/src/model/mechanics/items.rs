@@ -3,6 +3,7 @@
 use super::bodies::{refuse_circles, resolve_body};
 use super::clauses::resolve_vector;
 use super::declare::declare_members;
+use super::friction::resolve_friction;
 use super::joints::resolve_joint_item;
 use super::loads::{resolve_damper, resolve_force, resolve_spring, resolve_torque};
 use super::part_bodies::{embed_bodies, embed_mechanics};
@@ -56,6 +57,10 @@ pub(in crate::model) fn resolve_mechanics(
                 mechanism.elements.push(spring);
             }
             Mechanical::Damper(item) => mechanism.elements.push(resolve_damper(scope, sink, item)),
+            Mechanical::Friction(item) => {
+                let friction = resolve_friction(scope, sink, item, &mechanism.frictions);
+                mechanism.frictions.extend(friction);
+            }
         }
     }
     embed_mechanics(&scope.parts, sink, parts, &members, mechanism);

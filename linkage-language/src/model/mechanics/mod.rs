@@ -3,6 +3,7 @@
 mod bodies;
 mod clauses;
 mod declare;
+mod friction;
 mod inertia;
 pub(super) mod items;
 mod joints;

@@ -70,9 +70,11 @@ pub(in crate::model) fn embed_mechanics(
         let joints: Vec<_> = embedding.joints(*numbers, false).collect();
         let loads: Vec<_> = embedding.loads(*numbers).collect();
         let elements: Vec<_> = embedding.elements(*numbers).collect();
+        let frictions: Vec<_> = embedding.frictions(*numbers).collect();
         mechanism.joints.extend(joints);
         mechanism.loads.extend(loads);
         mechanism.elements.extend(elements);
+        mechanism.frictions.extend(frictions);
         match (&mechanism.gravity, gravity) {
             (_, None) => {}
             (None, gravity) => mechanism.gravity = gravity,

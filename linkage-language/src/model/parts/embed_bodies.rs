@@ -2,8 +2,8 @@
 
 use super::embed::Embedding;
 use crate::model::types::{
-    Arc, Between, Body, Element, Expr, Inertia, Joint, LinkElements, Load, PairOfWheels,
-    PairedWheel, RigidLink, StraightSlot,
+    Arc, Between, Body, Contact, Element, Expr, Friction, Inertia, Joint, LinkElements, Load,
+    PairOfWheels, PairedWheel, RigidLink, StraightSlot,
 };
 
 /// Numbers of bodies and joints of a part in the mechanism around it.
@@ -154,6 +154,27 @@ impl Embedding<'_> {
             },
             free: element.free.as_ref().map(|free| self.expr(free)),
             origin: self.origin(element.origin),
+        })
+    }
+}
+
+/// Friction, which does not depend on the location of the part.
+impl Embedding<'_> {
+    pub(in crate::model) fn frictions(
+        &self,
+        members: MemberNumbers,
+    ) -> impl Iterator<Item = Friction> {
+        let frictions = self.body.mechanism().frictions.iter();
+        frictions.map(move |friction| Friction {
+            coefficient: self.expr(&friction.coefficient),
+            joint: members.joint(friction.joint),
+            contact: match &friction.contact {
+                Contact::Pin(radius) => Contact::Pin(self.expr(radius)),
+                Contact::Guide(length) => {
+                    Contact::Guide(length.as_ref().map(|length| self.expr(length)))
+                }
+            },
+            origin: self.origin(friction.origin),
         })
     }
 }

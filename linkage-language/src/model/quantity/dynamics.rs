@@ -92,7 +92,8 @@ fn entry(names: &Names, inputs: [usize; 2]) -> Option<(MechanicalQuantity, Type)
     Some((MechanicalQuantity::Inertia(inputs), Type::Scalar(dimension)))
 }
 
-/// Reports a quantity of masses in a mechanism without masses, or one of loads without loads.
+/// Reports a quantity of masses in a mechanism without masses, one of loads without loads, or one of
+/// friction without friction.
 pub(in crate::model) fn check_members(
     members: &MemberNames,
     sink: &mut Sink,
@@ -109,9 +110,13 @@ pub(in crate::model) fn check_members(
                 "give a body a mass or a moment of inertia: `mass 100g at c, inertia 50kg*mm^2`",
             )
         }
-        MechanicsWord::GeneralisedForce if !members.has_loads => (
+        MechanicsWord::GeneralisedForce if !members.has_loads && !members.has_friction => (
             format!("`{name}` in a mechanism without loads"),
             "declare a `force`, a `torque`, a `spring` or a `damper`",
+        ),
+        MechanicsWord::FrictionPower | MechanicsWord::Efficiency if !members.has_friction => (
+            format!("`{name}` in a mechanism without friction"),
+            "declare it: `friction 0.1 on PIN, radius 8mm`, `friction 0.1 on SLIDE`",
         ),
         _ => return true,
     };

@@ -84,6 +84,10 @@ pub(in crate::model) fn resolve_mechanics_quantity(
             .map(|point| (MechanicalQuantity::ShakingMoment(point), moment)),
         MechanicsWord::Power => expect_no_argument(sink, word, arguments, span)
             .map(|()| scalar(MechanicalQuantity::Power, Dimension::POWER)),
+        MechanicsWord::FrictionPower => expect_no_argument(sink, word, arguments, span)
+            .map(|()| scalar(MechanicalQuantity::FrictionPower, Dimension::POWER)),
+        MechanicsWord::Efficiency => expect_no_argument(sink, word, arguments, span)
+            .map(|()| scalar(MechanicalQuantity::Efficiency, Dimension::NUMBER)),
         MechanicsWord::KineticEnergy => expect_no_argument(sink, word, arguments, span)
             .map(|()| scalar(MechanicalQuantity::KineticEnergy, Dimension::MOMENT)),
         MechanicsWord::PotentialEnergy => expect_no_argument(sink, word, arguments, span)
@@ -153,7 +157,10 @@ fn check_moving(
     };
     let name = word.word();
     let orders = match word {
-        MechanicsWord::Power | MechanicsWord::KineticEnergy => 1,
+        MechanicsWord::Power
+        | MechanicsWord::KineticEnergy
+        | MechanicsWord::FrictionPower
+        | MechanicsWord::Efficiency => 1,
         MechanicsWord::ShakingForce | MechanicsWord::ShakingMoment => 2,
         MechanicsWord::Reaction
         | MechanicsWord::Moment
@@ -183,7 +190,12 @@ fn check_moving(
         .filter(|symbol| matches!(symbol.name, Name::Argument(rate) if rates.contains(&rate)))
         .map(|symbol| symbol.text.as_str())
         .collect();
-    let fact = format!("`{name}` at rest is zero: the function lists no speed");
+    let fact = match word {
+        MechanicsWord::Efficiency => {
+            format!("`{name}` is that of a motion: the function lists no speed")
+        }
+        _ => format!("`{name}` at rest is zero: the function lists no speed"),
+    };
     let help = match (
         speeds.as_slice(),
         names.names_of(|name| matches!(name, Name::Input(_)))[..].first(),

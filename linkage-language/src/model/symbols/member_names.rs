@@ -49,6 +49,8 @@ pub(in crate::model) struct MemberNames {
     pub(in crate::model) has_masses: bool,
     /// True if a force, a torque, a spring or a damper is declared.
     pub(in crate::model) has_loads: bool,
+    /// True if a joint has friction.
+    pub(in crate::model) has_friction: bool,
     pub(in crate::model) links: LinkNames,
     /// Kinds of all joints: those that bodies are attached by in the order of the bodies, then
     /// those that close loops.

@@ -1,6 +1,7 @@
 //! Messages about mistakes in bodies, joints and loads.
 
 mod dynamics;
+mod friction;
 mod loads;
 mod quantities;
 

@@ -119,6 +119,10 @@ pub enum MechanicalQuantity {
     Drive(usize),
     /// `power()`: of all drives.
     Power,
+    /// The power that friction turns into heat.
+    FrictionPower,
+    /// The ratio of useful power to spent power.
+    Efficiency,
     KineticEnergy,
     /// The energy of gravity and springs.
     PotentialEnergy,

@@ -148,7 +148,11 @@ vocabulary! {
         Inertia = "inertia",
         /// The drive of an input for velocities and weights, at zero acceleration and without loads.
         Bias = "bias",
-        /// The work of forces, torques, springs and dampers per motion of an input.
+        /// The power that friction turns into heat.
+        FrictionPower = "friction_power",
+        /// The ratio of useful power to spent power; not positive where friction locks.
+        Efficiency = "efficiency",
+        /// The work of forces, torques, springs, dampers and friction per motion of an input.
         GeneralisedForce = "generalised_force",
         /// The acceleration of an input if no drive acts, only the declared loads.
         DrivenAcceleration = "driven_acceleration",

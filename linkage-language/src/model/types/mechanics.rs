@@ -51,6 +51,24 @@ pub struct Load {
     pub at: Option<Expr>,
 }
 
+/// Dry friction in a pin or a slide of the plane.
+#[derive(Clone, Debug)]
+pub struct Friction {
+    pub coefficient: Expr,
+    pub joint: usize,
+    pub contact: Contact,
+    pub origin: OriginId,
+}
+
+/// The surfaces that touch in a joint with friction.
+#[derive(Clone, Debug)]
+pub enum Contact {
+    /// The surface of a pin, with its radius.
+    Pin(Expr),
+    /// The guide of a slide, with the length of the block if its moment counts.
+    Guide(Option<Expr>),
+}
+
 /// A spring or a damper.
 #[derive(Clone, Debug)]
 pub struct Element {

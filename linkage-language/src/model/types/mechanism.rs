@@ -4,7 +4,7 @@ use super::dimension::Dimension;
 use super::expression::Expr;
 use super::length_unit::LengthUnit;
 use super::link_elements::LinkElements;
-use super::mechanics::{Body, Element, Joint, Load};
+use super::mechanics::{Body, Element, Friction, Joint, Load};
 use super::mechanism_part::{Leaf, MechanismPart, Placed};
 use super::name::{Name, ScalarParameterId};
 use super::value_type::Type;
@@ -38,6 +38,7 @@ pub struct Mechanism {
     pub joints: Vec<Joint>,
     pub loads: Vec<Load>,
     pub elements: Vec<Element>,
+    pub frictions: Vec<Friction>,
     pub arcs: Vec<Arc>,
     pub evaluators: Vec<EvaluatorDef>,
     /// The joints and links that items stand for.

@@ -36,7 +36,7 @@ pub use function_words::{
 pub use joint::Rotation;
 pub use length_unit::LengthUnit;
 pub use link_elements::{LinkElements, PairOfWheels, PairedWheel, RigidLink, StraightSlot};
-pub use mechanics::{Between, Body, Element, ElementKind, Inertia, Joint, Load};
+pub use mechanics::{Between, Body, Contact, Element, ElementKind, Friction, Inertia, Joint, Load};
 pub use mechanism::{
     Arc, Argument, Constant, EvaluatorDef, Input, Let, Loop, Mechanism, Parameter, Quantity,
     ScalarParameter, Unknown,

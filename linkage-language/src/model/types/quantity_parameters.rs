@@ -25,6 +25,8 @@ impl MechanicsWord {
             MechanicsWord::Inertia => &["input?", "input?"],
             MechanicsWord::ShakingMoment => &["point?"],
             MechanicsWord::Power
+            | MechanicsWord::FrictionPower
+            | MechanicsWord::Efficiency
             | MechanicsWord::KineticEnergy
             | MechanicsWord::PotentialEnergy
             | MechanicsWord::ShakingForce => &[],

@@ -115,6 +115,8 @@ impl MechanicalQuantity {
             | MechanicalQuantity::Moment(_)
             | MechanicalQuantity::Drive(_)
             | MechanicalQuantity::Power
+            | MechanicalQuantity::FrictionPower
+            | MechanicalQuantity::Efficiency
             | MechanicalQuantity::KineticEnergy
             | MechanicalQuantity::PotentialEnergy
             | MechanicalQuantity::ShakingForce

@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 
 use super::expression::{Expr, ExprKind, MechanicalQuantity};
 use super::function_words::Function;
-use super::mechanics::{Between, Inertia};
+use super::mechanics::{Between, Contact, Inertia};
 use super::mechanism::{EvaluatorDef, Mechanism, Quantity};
 use super::name::Name;
 use crate::diagnostic::OriginId;
@@ -98,6 +98,13 @@ impl Mechanism {
                 values.extend(ends.iter().map(|(_, at)| at));
             }
         }
+        for friction in &self.frictions {
+            values.push(&friction.coefficient);
+            match &friction.contact {
+                Contact::Pin(radius) => values.push(radius),
+                Contact::Guide(length) => values.extend(length),
+            }
+        }
         values
     }
 }
@@ -153,6 +160,18 @@ impl EvaluatorDef {
             .iter()
             .any(|quantity| has_reactions(&quantity.value))
     }
+
+    /// Returns true if friction, where there is any, changes a quantity of the function.
+    pub fn asks_for_friction(&self) -> bool {
+        let mut parts = self
+            .quantities
+            .iter()
+            .flat_map(|quantity| quantity.value.parts());
+        parts.any(|part| match &part.kind {
+            ExprKind::Mechanics(quantity) => quantity.depends_on_friction(),
+            _ => false,
+        })
+    }
 }
 
 impl Quantity {
@@ -169,12 +188,35 @@ fn has_reactions(value: &Expr) -> bool {
 }
 
 impl MechanicalQuantity {
+    /// Returns true for a quantity that friction changes.
+    fn depends_on_friction(&self) -> bool {
+        match self {
+            MechanicalQuantity::Reaction(_)
+            | MechanicalQuantity::Moment(_)
+            | MechanicalQuantity::Drive(_)
+            | MechanicalQuantity::Power
+            | MechanicalQuantity::FrictionPower
+            | MechanicalQuantity::Efficiency
+            | MechanicalQuantity::GeneralisedForce(_)
+            | MechanicalQuantity::DrivenAcceleration(_) => true,
+            MechanicalQuantity::KineticEnergy
+            | MechanicalQuantity::PotentialEnergy
+            | MechanicalQuantity::ShakingForce
+            | MechanicalQuantity::ShakingMoment(_)
+            | MechanicalQuantity::Inertia(_)
+            | MechanicalQuantity::MassMatrix(_)
+            | MechanicalQuantity::Bias(_) => false,
+        }
+    }
+
     /// Returns true for a quantity that a joint transmits.
     fn is_of_joints(&self) -> bool {
         match self {
             MechanicalQuantity::Reaction(_) | MechanicalQuantity::Moment(_) => true,
             MechanicalQuantity::Drive(_)
             | MechanicalQuantity::Power
+            | MechanicalQuantity::FrictionPower
+            | MechanicalQuantity::Efficiency
             | MechanicalQuantity::KineticEnergy
             | MechanicalQuantity::PotentialEnergy
             | MechanicalQuantity::ShakingForce

@@ -20,6 +20,7 @@ const PRESS: &str = "struct Press { unit mm;
     spring 300mm*mm on b4, free 20deg;
     damper 0.2mm*s/mm from frame at q to rocker at p3;
     damper 5mm*mm*s on b4;
+    friction 0.1 on b4 radius 8mm; friction mu / 2 on b11, length 3 * r;
     } impl Press { fn statics(phi12, press) -> Statics { t: torque(phi12) } }";
 
 #[test]
@@ -41,6 +42,8 @@ fn the_press() {
   spring (300mm * mm) on b4, free 20deg
   damper ((0.2mm * s) / mm) from frame at q to rocker at p3
   damper ((5mm * mm) * s) on b4
+  friction 0.1 on b4, radius 8mm
+  friction (mu / 2) on b11, length (3 * r)
 fn statics(phi12, press) -> Statics
   t: torque(phi12)
 ";

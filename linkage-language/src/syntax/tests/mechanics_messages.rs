@@ -247,7 +247,7 @@ fn loads() {
         ),
         (
             "spring 3 on j, length 3;",
-            "expected a clause or `;`, found `length`\nhelp: clauses of a spring are `from`, `to`, `on` and `free`",
+            "`length` does not belong to a spring\nhelp: clauses of a spring are `from`, `to`, `on` and `free`",
         ),
         (
             "spring 3 on j, free;",
@@ -256,6 +256,14 @@ fn loads() {
         (
             "spring from a at p to b at q;",
             "expected an expression after `spring`, found `from`",
+        ),
+        (
+            "friction 0.1, radius 3;",
+            "the friction lacks `on`\nhelp: write `friction VALUE on PIN, radius VALUE` or `friction VALUE on SLIDE`",
+        ),
+        (
+            "friction 0.1 on j, at p;",
+            "`at` does not belong to a friction\nhelp: clauses of a friction are `on`, `radius` and `length`",
         ),
         (
             "damper 3 on j, free 3;",
@@ -366,7 +374,7 @@ fn several_in_one_item() {
             "a second `on`\nhelp: a damper has one",
             "`free` does not belong to a damper",
             "`from` lacks `at`\nhelp: write `from ... at POINT`",
-            "expected a clause or `;`, found `length`",
+            "`length` does not belong to a spring",
         ],
     );
     check(

@@ -20,6 +20,7 @@ pub(super) struct Terms {
     /// Names of loads, with their indices among the arguments.
     loads: Vec<(String, usize)>,
     has_loads: bool,
+    has_friction: bool,
 }
 
 /// Numbers for the arguments.
@@ -55,7 +56,10 @@ impl Terms {
             loads: loads
                 .map(|(index, load)| (load.name.clone(), mechanism.inputs.len() + index))
                 .collect(),
-            has_loads: !mechanism.loads.is_empty() || !mechanism.elements.is_empty(),
+            has_loads: !mechanism.loads.is_empty()
+                || !mechanism.elements.is_empty()
+                || !mechanism.frictions.is_empty(),
+            has_friction: !mechanism.frictions.is_empty(),
         })
     }
 
@@ -138,8 +142,18 @@ impl Terms {
         rows.flatten().collect()
     }
 
-    /// `M q" + h - Q` for the accelerations without drives.
+    /// `M q" + h - Q` for the accelerations without drives. Friction depends on the accelerations:
+    /// that of `Q` is for those that the function lists.
     fn free_residuals(&self) -> Vec<String> {
+        if self.has_friction {
+            let accelerations = self.inputs.iter();
+            let accelerations =
+                accelerations.map(|input| format!("driven_acceleration({})", input.name));
+            let [zero, _] = self.nothing();
+            return accelerations
+                .flat_map(|acceleration| [zero.clone(), sizes(&[acceleration])])
+                .collect();
+        }
         let rows = self.inputs.iter().map(|a| {
             let name = &a.name;
             let parts = self
@@ -159,11 +173,16 @@ impl Terms {
         rows.flatten().collect()
     }
 
+    /// A residual of nothing.
+    fn nothing(&self) -> [String; 2] {
+        let zero = format!("0 * inertia({0}, {0})", self.inputs[0].name);
+        [zero.clone(), zero]
+    }
+
     /// `T - q'. M q' / 2`, and the change of `T` with the inputs against that of `M`.
     fn energy_residuals(&self) -> Vec<String> {
         let Some(change) = self.change() else {
-            let zero = format!("0 * inertia({0}, {0})", self.inputs[0].name);
-            return vec![zero.clone(), zero];
+            return self.nothing().to_vec();
         };
         let moving = || self.inputs.iter().filter(|input| input.rates[0].is_some());
         let energy = moving().map(|k| {
