@@ -261,6 +261,7 @@ pub(crate) fn mechanism() -> Mechanism {
         joints: vec![],
         loads: vec![],
         elements: vec![],
+        frictions: vec![],
         arcs: vec![],
         links: None,
         link_elements: model::LinkElements::default(),
