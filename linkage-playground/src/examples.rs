@@ -68,7 +68,7 @@ examples! {
         "needle-drive": "the needle drive of a sewing machine in space" in "needle_drive.rs",
         "spatial-slider": "a slide on an oblique line in space" in "spatial_slider_crank.rs",
         "andrews": "seven bodies that a motor turns against a spring: their equation of motion" in "andrews.rs",
-        "toggle-press": "a knuckle-joint press with dry friction, its efficiency and where it locks" in "toggle_press.rs",
+        "dry-press": "a knuckle-joint press with dry friction, its efficiency and where it locks" in "toggle_press.rs",
         "universal-joint": "three shafts with two universal joints" in "universal_joint.rs",
         "ankle": "the ankle of a humanoid: two motors, two rods, and back" in "ankle.rs",
         "delta-robot": "three arms and a platform, and back" in "delta_robot.rs",
