@@ -17,9 +17,9 @@ const SETS: usize = 4;
 const POSITIONS: usize = 60;
 
 /// Roundoffs of the size of a result: the command fuses multiply-adds, with which its sines have other polynomials. Groups without a closed form end at a
-/// correction whose square is a roundoff.
+/// correction whose square is a roundoff; among positions of several hundred thousand results the largest difference was 244.
 const CLOSED_FORMS: f64 = 40.0;
-const COUPLED: f64 = 200.0;
+const COUPLED: f64 = 300.0;
 
 /// Roundoffs between JavaScript and generated Rust without fused multiply-adds that settles coupled groups as JavaScript does: both end some roundoffs from
 /// the solution, in different ones, which sensitivities beside dead points enlarge (31 of them where it was measured; of positions 6), and the condition
