@@ -6,7 +6,7 @@ use linkage_export::FunctionDeclaration;
 
 use crate::column_rows::signature;
 use crate::comment::comment;
-use crate::surface::Surface;
+use crate::surface::{Evaluator, Surface};
 
 /// Returns the text of the header: each function of the mechanism with the name of its sweep.
 pub(crate) fn column_header(surface: &Surface, sweeps: &[Option<String>]) -> String {
@@ -30,15 +30,21 @@ pub(crate) fn column_header(surface: &Surface, sweeps: &[Option<String>]) -> Str
          step is 0. `columns` has an array of `count` numbers for each number of the result. Arrays that are written overlap no others.",
     );
     text.push('\n');
-    for (function, sweep) in surface.declarations.functions.iter().zip(sweeps) {
+    let functions = surface.declarations.functions.iter();
+    for ((function, evaluator), sweep) in functions.zip(&surface.functions).zip(sweeps) {
         if let Some(sweep) = sweep {
-            text += &declared(surface, function, sweep);
+            text += &declared(surface, function, evaluator, sweep);
         }
     }
     text + "#ifdef __cplusplus\n}\n#endif\n\n#endif\n"
 }
 
-fn declared(surface: &Surface, function: &FunctionDeclaration, sweep: &str) -> String {
+fn declared(
+    surface: &Surface,
+    function: &FunctionDeclaration,
+    evaluator: &Evaluator,
+    sweep: &str,
+) -> String {
     let arguments = function.arguments.iter().map(|argument| &argument.name[..]);
     let arguments: Vec<&str> = arguments.collect();
     let columns = function
@@ -57,7 +63,8 @@ fn declared(surface: &Surface, function: &FunctionDeclaration, sweep: &str) -> S
         columns.join(", ")
     );
     let shared = format!("const {} *m", surface.declarations.name);
-    let arrays = surface.constant(&format!("{}_columns", function.function.name));
+    // The name of the function in C, which may be another one than in the declaration.
+    let arrays = format!("{}_columns", evaluator.declared.name).to_uppercase();
     comment("", &about)
         + &format!("enum {{ {arrays} = {} }};\n", columns.len())
         + &signature(surface, sweep, &shared)

@@ -5,7 +5,7 @@ use std::fs;
 use std::process::Command;
 
 use linkage_c::{ColumnSweeps, Real, Sources, column_sweeps, sources};
-use linkage_corpus::given::golden;
+use linkage_corpus::given::{Given, golden};
 
 use crate::machine::{self, Compiler, WARNINGS};
 use crate::page::press;
@@ -181,4 +181,18 @@ fn columns_have_the_bits_of_single_calls() {
         assert_eq!(other, Some(0), "{name}");
     }
     assert!(count > 8, "{count} functions");
+}
+
+/// `press_error` is the function that returns the text of an error.
+#[test]
+fn columns_of_a_renamed_function_have_its_name_in_c() {
+    let text = "pub struct Press { unit mm; input phi = 1rad; let pin = polar(30mm, phi); }
+        impl Press { pub fn error(phi) -> Error { pin } }";
+    let given = Given::text(text);
+    let sweeps = column_sweeps(&given.name, &given.unit, Real::Double).expect("it can be exported");
+    assert!(
+        sweeps.header.contains("enum { PRESS_ERROR__COLUMNS = 2 };"),
+        "{}",
+        sweeps.header
+    );
 }
