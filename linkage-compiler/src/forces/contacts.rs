@@ -1,5 +1,4 @@
-//! Joints with friction: their surfaces, the speed at which these slide, and the force or couple
-//! that follows.
+//! Joints with friction: their surfaces, and the force or couple that follows.
 
 use linkage_symbolic::{Ex, Vector, Vn};
 
@@ -70,18 +69,7 @@ pub(super) fn add_friction<'m>(
     loads.add(joint.on, point, -on_body);
 }
 
-/// The speed at which a joint's body turns or slides on the other.
-pub(super) fn speed<'m>(
-    algebra: &mut Algebra<'m>,
-    bodies: &Multibody<'m>,
-    turns: &mut AngularVelocities<'m>,
-    speeds: &Speeds,
-    friction: &Friction,
-) -> Ex<'m> {
-    springs::joint_speed(algebra, bodies, turns, speeds, friction.joint)
-}
-
-/// The sign of that speed, 0 at rest.
+/// The sign of the speed at which a joint's body turns or slides on the other, 0 at rest.
 pub(super) fn sense<'m>(
     algebra: &mut Algebra<'m>,
     bodies: &Multibody<'m>,
@@ -89,7 +77,7 @@ pub(super) fn sense<'m>(
     speeds: &Speeds,
     friction: &Friction,
 ) -> Ex<'m> {
-    let speed = speed(algebra, bodies, turns, speeds, friction);
+    let speed = springs::joint_speed(algebra, bodies, turns, speeds, friction.joint);
     let [minus, zero, one] = [-1.0, 0.0, 1.0].map(|value| speed.number(value));
     speed.select((-speed).select(zero, one), minus)
 }

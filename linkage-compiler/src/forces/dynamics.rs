@@ -198,10 +198,8 @@ fn with_friction<'m>(
         .collect();
     let mut surfaces = friction::surfaces(algebra, bodies, memo, speeds);
     for input in 0..frictionless.len() {
-        let unit = Loading {
-            speeds: Speeds::unit_acceleration(algebra.mechanism, input),
-            loads: LoadSet::Inertia,
-        };
+        let accelerated = Speeds::unit_acceleration(algebra.mechanism, input);
+        let unit = Loading::new(&accelerated, LoadSet::Inertia);
         let forces = friction::forces_in(algebra, bodies, memo, &unit);
         let surfaces = surfaces.iter_mut().flatten();
         for (surface, force) in surfaces.zip(forces.into_iter().flatten()) {

@@ -27,14 +27,11 @@ pub(super) fn loading<'m>(
     memo: &mut Memo<'m>,
     speeds: &Speeds,
 ) -> Loading {
-    let speeds = speeds.clone();
-    if !acts(algebra.mechanism, &speeds) {
-        let loads = LoadSet::Frictionless;
-        return Loading { speeds, loads };
+    if !acts(algebra.mechanism, speeds) {
+        return Loading::new(speeds, LoadSet::Frictionless);
     }
-    contact_forces(algebra, bodies, memo, &speeds);
-    let loads = LoadSet::WithFriction;
-    Loading { speeds, loads }
+    contact_forces(algebra, bodies, memo, speeds);
+    Loading::new(speeds, LoadSet::WithFriction)
 }
 
 /// True if a joint has friction and anything moves.
@@ -65,10 +62,7 @@ pub(super) fn surfaces<'m>(
     memo: &mut Memo<'m>,
     speeds: &Speeds,
 ) -> Surfaces<'m> {
-    let frictionless = Loading {
-        speeds: speeds.clone(),
-        loads: LoadSet::Frictionless,
-    };
+    let frictionless = Loading::new(speeds, LoadSet::Frictionless);
     let start = forces_in(algebra, bodies, memo, &frictionless);
     let shares = shares(algebra, bodies, memo, speeds);
     let joints = start.into_iter().enumerate();
@@ -113,10 +107,8 @@ pub(super) fn unit_forces<'m>(
     memo: &mut Memo<'m>,
     number: usize,
 ) -> Vec<Vec<Vn<'m>>> {
-    let unit = Loading {
-        speeds: Speeds::at_rest(algebra.mechanism),
-        loads: LoadSet::UnitFriction(number),
-    };
+    let at_rest = Speeds::at_rest(algebra.mechanism);
+    let unit = Loading::new(&at_rest, LoadSet::UnitFriction(number));
     forces_in(algebra, bodies, memo, &unit)
 }
 

@@ -9,7 +9,7 @@ use crate::forces::context::Memo;
 use crate::forces::multibody::Multibody;
 use crate::forces::positions::{EQUAL, Positions};
 use crate::forces::speeds::{AngularVelocities, Speeds};
-use crate::forces::{contacts, friction, names, positions};
+use crate::forces::{friction, names, positions, springs};
 use crate::message_format::MessageFormat;
 use crate::model::{Contact, Expr, Friction};
 
@@ -72,7 +72,7 @@ fn rests<'m>(
     let rates: Vec<Ex> = (0..mechanism.inputs.len())
         .map(|input| {
             let speeds = Speeds::unit_speed(mechanism, input);
-            contacts::speed(algebra, bodies, turns, &speeds, friction)
+            springs::joint_speed(algebra, bodies, turns, &speeds, friction.joint)
         })
         .collect();
     let numbers = positions.numbers(&rates);

@@ -9,6 +9,13 @@ pub(super) struct Loading {
     pub(super) loads: LoadSet,
 }
 
+impl Loading {
+    pub(super) fn new(speeds: &Speeds, loads: LoadSet) -> Self {
+        let speeds = speeds.clone();
+        Self { speeds, loads }
+    }
+}
+
 /// The loads that act.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub(super) enum LoadSet {

@@ -7,7 +7,7 @@ use crate::forces::context::Memo;
 use crate::forces::loading::{LoadSet, Loading};
 use crate::forces::multibody::Multibody;
 use crate::forces::speeds::Speeds;
-use crate::forces::{contacts, driving, friction};
+use crate::forces::{contacts, driving, friction, springs};
 
 /// The power that friction turns into heat: `sum mu R |w|`.
 pub(super) fn friction_power<'m>(
@@ -20,7 +20,7 @@ pub(super) fn friction_power<'m>(
     let frictions = algebra.mechanism.frictions.iter();
     let mut sum = algebra.zero();
     for (friction, &force) in frictions.zip(contact_forces.iter()) {
-        let speed = contacts::speed(algebra, bodies, &mut memo.turns, speeds, friction);
+        let speed = springs::joint_speed(algebra, bodies, &mut memo.turns, speeds, friction.joint);
         sum += contacts::rate_of_friction(algebra, friction) * force * speed.abs();
     }
     sum
@@ -36,10 +36,7 @@ pub(super) fn efficiency<'m>(
     speeds: &Speeds,
     with_reactions: bool,
 ) -> Ex<'m> {
-    let frictionless = Loading {
-        speeds: speeds.clone(),
-        loads: LoadSet::Frictionless,
-    };
+    let frictionless = Loading::new(speeds, LoadSet::Frictionless);
     let useful = driving::power(algebra, bodies, memo, &frictionless, with_reactions);
     let spent = useful + friction_power(algebra, bodies, memo, speeds);
     // One division: a choice of two becomes a branch in machine code.

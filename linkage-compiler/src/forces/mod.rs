@@ -23,7 +23,7 @@
 //! | `masses`, `inertia` | masses, and moments of inertia when a body turns |
 //! | `fixed_pins` | inertia of bodies that turn about a pin on the frame |
 //! | `springs` | springs and dampers on each body |
-//! | `contacts` | joints with friction: surfaces, speeds, friction for a given contact force |
+//! | `contacts` | joints with friction: surfaces, friction for a given contact force |
 //! | `loads` | inertia, weight, loads, springs and friction on each body |
 //! | `virtual_work` | work of loads per motion of an input |
 //! | `freedom` | motions of the tree's joints that nothing drives |
