@@ -6,6 +6,7 @@ use std::time::Duration;
 use std::vec::Vec;
 
 use super::condition::Condition;
+use super::numbered::WHOLE;
 use super::settings::{Progress, Settings, settings_methods};
 use super::varied::{Freedom, freedom_methods};
 use super::{DesignError, DesignPart, Objective, Relation};
@@ -74,7 +75,7 @@ where
             objectives: Vec::new(),
             settings: Settings::new(STARTS, STEPS),
             listed: LISTED,
-            part: [0, 1],
+            part: WHOLE,
             known: Vec::new(),
         })
     }

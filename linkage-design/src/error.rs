@@ -212,6 +212,8 @@ pub enum DesignError {
     Repeated,
     /// Bytes that are no part of a search, or damaged.
     NoPart,
+    /// A part of a search that is not made in parts.
+    Undivided,
     /// No mechanism that meets all conditions was found.
     NotFound(Box<Refusals>),
     /// None was found before the search was ended.

@@ -33,6 +33,7 @@ mod least_squares;
 mod limits;
 mod minimax;
 mod normal;
+mod numbered;
 mod objective;
 mod optimum;
 mod parallel;
@@ -57,8 +58,8 @@ pub use builder::Design;
 pub use certificate::{Interrupted, Interruption};
 pub use cycle::{
     AuxiliaryVariable, BestCycle, Candidate, Check, Chosen, Compromise, Conditions, Curve,
-    CycleDesign, CycleObjective, Dwell, ErrorOf, Figure, Fit, Highest, Lowest, Motion, Peak, Piece,
-    PieceKey, Pieces, Requirement, RootMeanSquare, Stroke, TimeRatio, Verdict,
+    CycleDesign, CycleObjective, CyclePart, Dwell, ErrorOf, Figure, Fit, Highest, Lowest, Motion,
+    Peak, Piece, PieceKey, Pieces, Requirement, RootMeanSquare, Stroke, TimeRatio, Verdict,
 };
 pub use designs::{DesignSearch, FoundDesign};
 pub use error::{DesignError, Refusals};

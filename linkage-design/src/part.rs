@@ -2,15 +2,14 @@
 
 mod bytes;
 
-use std::collections::BTreeMap;
 use std::format;
 use std::vec::Vec;
 
-use linkage_core::bytes::digest;
 use linkage_runtime::DimensionSet;
 
 use super::DesignError;
 use super::normal::Normal;
+use super::numbered::{Identity, Numbered};
 use super::problem::{Evaluator, Problem};
 use super::quasi_random;
 use super::search::{BLOCK, Block};
@@ -18,9 +17,6 @@ use super::settings::Settings;
 
 /// Starts at which the sums of two problems are compared.
 const PROBES: usize = 4;
-
-/// Equal sums differ by no more than this part, by rounding on different processors.
-const SAME: f64 = 1e-6;
 
 /// Ends of descents from some starts of a design problem.
 /// [`Design::descend`](crate::Design::descend) computes them, in any process;
@@ -30,31 +26,8 @@ const SAME: f64 = 1e-6;
 /// last bit on equal processors.
 #[derive(Clone, Debug, PartialEq)]
 pub struct DesignPart {
-    problem: Identity,
-    /// By their numbers.
-    pub(crate) blocks: BTreeMap<usize, Block>,
-}
-
-/// Properties that parts of a search have in common.
-#[derive(Clone, Debug)]
-struct Identity {
-    /// All starts.
-    starts: usize,
-    /// A digest of settings, variables and bounds.
-    digest: u64,
-    /// The sums at some starts; NaN where there is none.
-    probes: Vec<f64>,
-}
-
-impl PartialEq for Identity {
-    fn eq(&self, other: &Self) -> bool {
-        let same = |(a, b): (&f64, &f64)| {
-            (a.is_nan() && b.is_nan()) || (a - b).abs() <= SAME * a.abs().max(b.abs())
-        };
-        (self.starts, self.digest) == (other.starts, other.digest)
-            && self.probes.len() == other.probes.len()
-            && self.probes.iter().zip(&other.probes).all(same)
-    }
+    /// Results with the numbers of their blocks.
+    pub(crate) blocks: Numbered<Block>,
 }
 
 impl DesignPart {
@@ -81,12 +54,7 @@ impl DesignPart {
         );
         let probes = probes(problem, assemblies, (settings.seed, settings.starts));
         Self {
-            problem: Identity {
-                starts: settings.starts,
-                digest: digest(text.as_bytes()),
-                probes,
-            },
-            blocks: BTreeMap::new(),
+            blocks: Numbered::new(Identity::new(settings.starts, &text, probes)),
         }
     }
 
@@ -97,29 +65,20 @@ impl DesignPart {
     /// `OtherProblem` if goals, conditions, variables, bounds, starts, seed or steps differ; `Repeated`
     /// if both have a start. Nothing changes then.
     pub fn merge(&mut self, part: &Self) -> Result<(), DesignError> {
-        if self.problem != part.problem {
-            return Err(DesignError::OtherProblem);
-        }
-        if part.blocks.keys().any(|key| self.blocks.contains_key(key)) {
-            return Err(DesignError::Repeated);
-        }
-        let blocks = part.blocks.iter();
-        self.blocks
-            .extend(blocks.map(|(&number, block)| (number, block.clone())));
-        Ok(())
+        self.blocks.merge(&part.blocks)
     }
 
     /// The number of starts that have been tried.
     #[must_use]
     pub fn done(&self) -> usize {
-        let starts = |&number: &usize| starts_of(number, self.problem.starts).len();
-        self.blocks.keys().map(starts).sum()
+        let starts = |&number: &usize| starts_of(number, self.count()).len();
+        self.blocks.results.keys().map(starts).sum()
     }
 
     /// The number of all starts of the problem.
     #[must_use]
     pub const fn count(&self) -> usize {
-        self.problem.starts
+        self.blocks.problem.starts
     }
 }
 

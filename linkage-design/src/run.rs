@@ -40,7 +40,7 @@ where
         let (descents, ended_early) = self.descents(&problem, &end, &mut progress)?;
         let starts = descents.done();
         let mut total = Block::default();
-        for block in descents.blocks.into_values() {
+        for block in descents.blocks.results.into_values() {
             total.tally.add(&block.tally);
             total.evaluations += block.evaluations;
             total.optima.extend(block.optima);
@@ -167,11 +167,8 @@ where
         for part in &self.known {
             descents.merge(part)?;
         }
-        let (all, [part, of]) = (self.settings.starts.div_ceil(BLOCK), self.part);
-        let bound = |part: usize| all * part / of;
-        let missing =
-            (bound(part)..bound(part + 1)).filter(|number| !descents.blocks.contains_key(number));
-        let missing: Vec<usize> = missing.collect();
+        let count = self.settings.starts.div_ceil(BLOCK);
+        let missing = descents.blocks.missing(self.part, count);
         let starts: Vec<_> = missing
             .iter()
             .map(|&number| starts_of(number, self.settings.starts))
@@ -183,7 +180,8 @@ where
             sums.fold(f64::INFINITY, f64::min)
         };
         let (blocks, ended) = in_rounds(&starts, &|_| end.reached(), progress, run, least);
-        descents.blocks.extend(missing.into_iter().zip(blocks));
+        let blocks = missing.into_iter().zip(blocks);
+        descents.blocks.results.extend(blocks);
         Ok((descents, ended))
     }
 }

@@ -10,7 +10,7 @@ use linkage_core::numeric::complex::{Complex, ZERO};
 use linkage_core::numeric::double_double::DoubleDouble;
 
 /// All numbers that are not further from the middle than the radius.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Ball<R = f64> {
     pub(super) middle: Complex<R>,
     pub(super) radius: f64,

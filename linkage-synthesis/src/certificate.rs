@@ -47,7 +47,7 @@ pub(super) type Point<const N: usize> = [Complex<DoubleDouble>; N];
 
 /// Discs around a solution; it is the only one in them, or in smaller ones that plain numbers do
 /// not tell from a point.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, PartialEq)]
 pub(super) struct Certificate<const N: usize> {
     pub(super) discs: [Ball; N],
     /// True for a real solution, false for a complex one; nothing if undecided.

@@ -62,6 +62,19 @@ pub enum Unsolved {
         /// The number that is followed.
         most: usize,
     },
+    /// A part of a search that there is not.
+    Part {
+        /// The part, counted from 0.
+        part: usize,
+        /// The number of parts.
+        of: usize,
+    },
+    /// Paths of other points.
+    OtherProblem,
+    /// The same paths twice.
+    Repeated,
+    /// Bytes that are no part of a search, or damaged.
+    NoPart,
     /// Equations whose solutions cannot be listed.
     Unlisted(linkage_core::numeric::roots::Unlisted),
 }
@@ -118,6 +131,19 @@ impl fmt::Display for Unsolved {
                 f,
                 "the equations have more than {most} solutions, complex ones counted; that is our limit: \
                  use fewer or simpler equations"
+            ),
+            Self::Part { part, of } => write!(
+                f,
+                "there is no part {part} of {of}: parts are counted from 0, and there is at least one"
+            ),
+            Self::OtherProblem => f.write_str(
+                "these paths are of another problem: the points must be the same for all parts",
+            ),
+            Self::Repeated => f.write_str(
+                "both parts have the same paths: each part of a search is merged once",
+            ),
+            Self::NoPart => f.write_str(
+                "these bytes are no part of a search, or some of them are missing or changed; write them again by `to_bytes`",
             ),
             Self::Unlisted(unlisted) => write!(f, "{unlisted}"),
         }

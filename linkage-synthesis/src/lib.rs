@@ -35,7 +35,8 @@ pub use four_bar::{FourBar, GrashofType, Passage, Visit};
 pub use function::{FunctionFourBar, Functions, GivenStart, Pair};
 pub use guides::{Dyad, Pivots};
 pub use nine_points::{
-    NinePoints, PathFourBar, TRIPLES, Triple, nine_points, nine_points_reporting,
+    NinePoints, NinePointsPart, NinePointsSearch, PathFourBar, TRIPLES, Triple, nine_points,
+    nine_points_reporting,
 };
 pub use solutions::{Equations, Number, Solution, Solutions, Trace, solutions, solutions_traced};
 

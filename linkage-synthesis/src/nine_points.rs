@@ -6,7 +6,9 @@
 
 mod cognates;
 mod curve;
+mod division;
 mod equations;
+mod listing;
 mod path;
 mod result;
 mod search;
@@ -15,13 +17,11 @@ mod task;
 #[cfg(test)]
 mod tests;
 
+pub use division::{NinePointsPart, NinePointsSearch};
 pub use result::{NinePoints, PathFourBar, TRIPLES, Triple};
 
 use super::error::Unsolved;
 use linkage_design::Progress;
-use search::SolutionSearch;
-use std::vec::Vec;
-use task::Task;
 
 /// All four-bars with a coupler point that passes the nine points, in any order and on any circuit.
 ///
@@ -43,33 +43,7 @@ pub fn nine_points(points: &[[f64; 2]; 9]) -> Result<NinePoints, Unsolved> {
 /// As [`nine_points`], and `Stopped`.
 pub fn nine_points_reporting(
     points: &[[f64; 2]; 9],
-    mut report: impl FnMut(Progress) -> bool,
+    report: impl FnMut(Progress) -> bool,
 ) -> Result<NinePoints, Unsolved> {
-    let task = Task::new(points)?;
-    let search = SolutionSearch::run(&task, &mut report)?;
-    let mut found = NinePoints {
-        triples: Vec::new(),
-        complex: 0,
-        undecided: TRIPLES.saturating_sub(search.found.len()),
-    };
-    for (certificate, _) in &search.found {
-        match certificate.real {
-            Some(true) => {
-                let triple = task.triple(certificate);
-                match triple.closes() {
-                    true => found.triples.push(triple),
-                    false => found.undecided += 1,
-                }
-            }
-            Some(false) => found.complex += 1,
-            None => found.undecided += 1,
-        }
-    }
-    let fixed_joint = |triple: &Triple| triple.four_bars[0].four_bar.fixed;
-    found.triples.sort_by(|a, b| {
-        fixed_joint(a)
-            .partial_cmp(&fixed_joint(b))
-            .unwrap_or(core::cmp::Ordering::Equal)
-    });
-    Ok(found)
+    NinePointsSearch::new(points)?.progress(report).run()
 }

@@ -2,6 +2,7 @@
 
 mod assemblies;
 mod derivatives;
+mod divided;
 mod drives;
 mod dwells;
 mod edges;

@@ -1,6 +1,7 @@
 //! Searches in parts: the designs of one search, for every division and through bytes.
 
 use super::{FourBar, FourBarAssembly, FourBarDesign, evenly, points, problem};
+use linkage::design::exact::NinePointsSearch;
 use linkage::design::{DesignError, DesignPart, Objective, Targets};
 use std::sync::atomic::{AtomicBool, Ordering};
 
@@ -90,4 +91,25 @@ fn other_parts_are_refused() {
         assert_eq!(DesignPart::read(&damaged), Err(DesignError::NoPart));
     }
     assert_eq!(DesignPart::read(&bytes[..40]), Err(DesignError::NoPart));
+}
+
+/// Searches of designs and of nine points: a part has the same bytes.
+#[test]
+fn parts_have_the_same_bytes_on_any_number_of_threads() {
+    let points: [[f64; 2]; 9] = std::array::from_fn(|k| [k as f64, (k * k % 7) as f64]);
+    let with = |threads: usize| {
+        let pool = rayon::ThreadPoolBuilder::new().num_threads(threads);
+        let pool = pool.build().expect("a pool");
+        pool.install(|| {
+            let descents = small().part(1, 4).descend().expect("descents");
+            let search = NinePointsSearch::new(&points).expect("points");
+            let paths = search.part(20, 150).follow().expect("paths");
+            assert_eq!((descents.done(), paths.done()), (96, 9));
+            [descents.to_bytes(), paths.to_bytes()]
+        })
+    };
+    let one = with(1);
+    for threads in [2, 3, 7] {
+        assert!(with(threads) == one, "{threads} threads");
+    }
 }

@@ -7,10 +7,11 @@ use std::vec::Vec;
 
 use super::super::builder::CircuitsOf;
 use super::super::condition::Condition;
+use super::super::numbered::WHOLE;
 use super::super::settings::{Progress, Settings, settings_methods};
 use super::super::varied::{Freedom, freedom_methods};
 use super::super::{DesignError, Relation};
-use super::CycleObjective;
+use super::{CycleObjective, CyclePart};
 use linkage_runtime::{AssemblyError, Circuits, Dimensions};
 
 /// Positions from which limits are searched, unless the design says otherwise: three degrees of a
@@ -38,6 +39,9 @@ pub struct CycleDesign<'a, M, A, const N: usize> {
     pub(super) positions: usize,
     pub(super) all_assemblies: bool,
     pub(super) settings: Settings<'a>,
+    /// The part of the starts, and the number of parts.
+    pub(super) part: [usize; 2],
+    pub(super) known: Vec<CyclePart>,
 }
 
 impl<'a, M, A, const N: usize> CycleDesign<'a, M, A, N>
@@ -68,6 +72,8 @@ where
             positions: POSITIONS,
             all_assemblies: false,
             settings: Settings::new(1, STEPS),
+            part: WHOLE,
+            known: Vec::new(),
         })
     }
 
@@ -98,6 +104,23 @@ where
     #[must_use]
     pub fn positions(mut self, positions: usize) -> Self {
         self.positions = positions;
+        self
+    }
+
+    /// Part `part` of `of`, counted from 0: some of the starts in all assemblies that are searched,
+    /// nearly as many as each other part has. [`descend`](Self::descend) makes its descents.
+    #[must_use]
+    pub fn part(mut self, part: usize, of: usize) -> Self {
+        self.part = [part, of];
+        self
+    }
+
+    /// Takes descents of the same problem from another process or a file; they are not made again.
+    /// `run`, `run_all` and `descend` return `OtherProblem` if they are of another one. A
+    /// [`front`](Self::front) has searches of other problems, so that it takes no descents.
+    #[must_use]
+    pub fn known(mut self, part: CyclePart) -> Self {
+        self.known.push(part);
         self
     }
 

@@ -1,14 +1,11 @@
 //! Searches from several starts, and the distinct optima they end at.
 
-use std::boxed::Box;
-use std::string::String;
 use std::vec::Vec;
 
 use super::super::catalogue;
 use super::super::limits::Limits;
 use super::super::quasi_random::unit;
-use super::super::refusals::{Fate, Tally};
-use super::super::{DesignError, Interruption, Refusals};
+use super::super::{DesignError, Interruption};
 use super::ended::Ended;
 use super::found::BestCycle;
 use super::problem::Problem;
@@ -36,10 +33,8 @@ pub(super) struct Descents<'d, M, A, const N: usize> {
 /// A certified optimum.
 pub(super) struct Optimum<M, A> {
     best: BestCycle<M, A>,
-    /// The value that the search makes least.
-    least: f64,
-    /// The parameters that vary.
-    varied: Vec<f64>,
+    /// The search that led here.
+    pub(super) ended: Ended,
     /// The number of the assembly of the first mechanism that has the same modes.
     assembly: usize,
 }
@@ -47,7 +42,12 @@ pub(super) struct Optimum<M, A> {
 impl<M, A> Optimum<M, A> {
     /// Returns the value that the search makes least.
     pub(super) fn least(&self) -> f64 {
-        self.least
+        self.ended.least
+    }
+
+    /// The parameters that vary come first.
+    fn x(&self) -> &[f64] {
+        &self.ended.at.x
     }
 }
 
@@ -56,23 +56,26 @@ impl<M: Dimensions<N>, A, const N: usize> Descents<'_, M, A, N> {
     /// mechanism.
     pub(super) fn from(&self, index: usize) -> Result<Optimum<M, A>, DesignError> {
         let problem = &self.problem;
-        let limits = &problem.limits;
-        let values: Vec<f64> = if index == 0 {
-            problem.first()
-        } else {
-            let unit = unit(self.seed, index, limits.lower.len());
-            let bounds = limits.lower.iter().zip(&limits.upper);
-            let parts = bounds
-                .zip(unit)
-                .map(|((low, high), part)| low + part * (high - low));
-            parts.collect()
-        };
-        let start = problem.start(limits, values)?;
+        let start = problem.start(&problem.limits, self.values(index))?;
         if index > 0 {
             let ended = self.descend(start)?;
             return self.certified(self.rounded(ended)?);
         }
         self.best_of(self.ladder(start)?)
+    }
+
+    /// The dimensions of a start.
+    pub(super) fn values(&self, index: usize) -> Vec<f64> {
+        if index == 0 {
+            return self.problem.first();
+        }
+        let limits = &self.problem.limits;
+        let unit = unit(self.seed, index, limits.lower.len());
+        let bounds = limits.lower.iter().zip(&limits.upper);
+        let parts = bounds
+            .zip(unit)
+            .map(|((low, high), part)| low + part * (high - low));
+        parts.collect()
     }
 
     /// The best of some results that is certified.
@@ -85,7 +88,11 @@ impl<M: Dimensions<N>, A, const N: usize> Descents<'_, M, A, N> {
             let settled = result.converged;
             let catalogues = !self.problem.catalogues.is_empty();
             match self.rounded(result).and_then(|ended| self.certified(ended)) {
-                Ok(optimum) if best.as_ref().is_none_or(|best| optimum.least < best.least) => {
+                Ok(optimum)
+                    if best
+                        .as_ref()
+                        .is_none_or(|best| optimum.least() < best.least()) =>
+                {
                     best = Some(optimum);
                 }
                 Err(error @ DesignError::NotWhole(Interruption::DeadPoint(_)))
@@ -143,7 +150,7 @@ impl<M: Dimensions<N>, A, const N: usize> Descents<'_, M, A, N> {
         })
     }
 
-    fn certified(&self, ended: Ended) -> Result<Optimum<M, A>, DesignError> {
+    pub(super) fn certified(&self, ended: Ended) -> Result<Optimum<M, A>, DesignError> {
         let (problem, start, least) = (&self.problem, &ended.at, ended.least);
         let branch = problem.certify(start)?;
         let x = &start.x;
@@ -168,60 +175,25 @@ impl<M: Dimensions<N>, A, const N: usize> Descents<'_, M, A, N> {
             converged: ended.converged,
             hits: 1,
         };
-        let varied = x[..problem.varied.len()].to_vec();
         Ok(Optimum {
             best,
-            least,
-            varied,
+            ended,
             assembly: self.assembly,
         })
     }
 
-    /// Why none of some starts leads to an optimum.
-    pub(super) fn refusals(&self, mut errors: Vec<DesignError>) -> DesignError {
-        if errors.len() == 1 {
-            return errors.remove(0);
-        }
-        let titles: Vec<String> = self
-            .problem
-            .objectives
-            .iter()
-            .map(|objective| objective.title())
-            .collect();
-        let mut tally = Tally::default();
-        let (mut no_values, mut not_whole) = (0, 0);
-        for error in &errors {
-            match error {
-                DesignError::OutOfReach { objective, .. } => {
-                    let objectives = titles.iter().position(|title| title == objective);
-                    tally.begun(&Fate::Broken(objectives.into_iter().collect()));
-                }
-                DesignError::NoValues { .. } => no_values += 1,
-                DesignError::NotWhole(_) => not_whole += 1,
-                _ => tally.begun(&Fate::Open),
-            }
-        }
-        let refusals = tally.refusals(errors.len(), Vec::new(), titles);
-        DesignError::NotFound(Box::new(Refusals {
-            no_values,
-            not_whole,
-            first: errors.into_iter().next().map(Box::new),
-            ..refusals
-        }))
-    }
-
     /// The distinct ones, the best first.
     pub(super) fn distinct(&self, mut optima: Vec<Optimum<M, A>>) -> Vec<BestCycle<M, A>> {
-        optima.sort_by(|a, b| a.least.total_cmp(&b.least));
+        optima.sort_by(|a, b| a.least().total_cmp(&b.least()));
         let mut kept: Vec<Optimum<M, A>> = Vec::new();
         let Limits { lower, upper, .. } = &self.problem.limits;
         // Neighbours in a catalogue are not the same, however near they are.
         let same = |a: &Optimum<M, A>, b: &Optimum<M, A>| {
             let mut values = self.problem.catalogues.iter().map(|(index, _)| *index);
-            values.all(|index| a.varied[index] == b.varied[index])
+            values.all(|index| a.x()[index] == b.x()[index])
         };
         let near = |a: &Optimum<M, A>, b: &Optimum<M, A>| {
-            let places = a.varied.iter().zip(&b.varied).zip(lower.iter().zip(upper));
+            let places = a.x().iter().zip(b.x()).zip(lower.iter().zip(upper));
             let mut places = places.into_iter();
             same(a, b)
                 && a.assembly == b.assembly

@@ -5,9 +5,11 @@ use std::string::ToString;
 use std::vec::Vec;
 
 use super::super::DesignError;
+use super::super::numbered::WHOLE;
 use super::builder::CycleDesign;
 use super::found::BestCycle;
 use super::requirement::{Figure, Requirement};
+use super::searches::Beginning;
 use super::{CycleObjective, Motion};
 use linkage_runtime::Dimensions;
 
@@ -39,7 +41,8 @@ where
     ///
     /// # Errors
     ///
-    /// As [`run`](Self::run); `Nothing` for less than two compromises.
+    /// As [`run`](Self::run); `Nothing` for less than two compromises; `Undivided` for a
+    /// [`part`](Self::part), or with [`known`](Self::known) descents.
     pub fn front<F: Figure<A, N> + Send + Sync>(
         mut self,
         goal: impl CycleObjective<M, A, N>,
@@ -52,16 +55,28 @@ where
                 objective: "a front".to_string(),
             });
         }
+        if self.part != WHOLE || !self.known.is_empty() {
+            return Err(DesignError::Undivided);
+        }
         let end = self.settings.end();
         let mut report = self.settings.progress.take();
         let starts = self.settings.starts.max(1);
         let mut search = |goal: &dyn CycleObjective<M, A, N>,
                           limit: Option<&dyn CycleObjective<M, A, N>>,
-                          first: (&M, usize, bool)| {
+                          (first, starts, widening): (&M, usize, bool)| {
             let conditions = self.objectives.iter().map(Box::as_ref);
             let objectives: Vec<_> = conditions.chain([goal]).chain(limit).collect();
             let checked = self.checked(&objectives)?;
-            let mut found = self.searched(&checked, &objectives, first, &end, &mut report)?;
+            let beginning = Beginning {
+                first,
+                starts,
+                widening,
+                part: WHOLE,
+                known: &[],
+            };
+            let mut found =
+                self.searches(&checked, &objectives)
+                    .searched(&beginning, &end, &mut report)?;
             let best = found.swap_remove(0);
             let cycle = &checked.circuits.cycle;
             let motion = Motion {

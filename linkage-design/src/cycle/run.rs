@@ -1,33 +1,18 @@
 //! The search of a design problem of a whole cycle.
 
-use core::ops::Range;
 use linkage_core::Cycle;
 use std::boxed::Box;
 use std::string::ToString;
-use std::vec;
 use std::vec::Vec;
 
 use super::super::DesignError;
-use super::super::rounds::in_rounds;
-use super::super::settings::{End, Report};
-use super::super::varied::Varied;
-use super::CycleObjective;
 use super::builder::CycleDesign;
-use super::descents::{Descents, Optimum};
 use super::found::BestCycle;
-use super::problem::{Assemble, Problem};
-use linkage_runtime::{Circuits, Dimensions};
+use super::part::CyclePart;
+use super::searches::{Beginning, Checked, Objectives, Searches};
+use linkage_runtime::Dimensions;
 
-/// All that is wanted.
-pub(super) type Objectives<'w, M, A, const N: usize> = [&'w (dyn CycleObjective<M, A, N> + 'w)];
-
-/// A checked problem.
-pub(super) struct Checked<A> {
-    varied: Varied,
-    pub(super) circuits: Circuits<A>,
-}
-
-impl<'a, M, A, const N: usize> CycleDesign<'a, M, A, N>
+impl<M, A, const N: usize> CycleDesign<'_, M, A, N>
 where
     M: Dimensions<N> + Copy + Send + Sync,
     A: Send + Sync,
@@ -62,100 +47,74 @@ where
         let mut report = self.settings.progress.take();
         let objectives: Vec<_> = self.objectives.iter().map(Box::as_ref).collect();
         let checked = self.checked(&objectives)?;
-        let starts = self.settings.starts.max(1);
-        self.searched(
-            &checked,
-            &objectives,
-            (&self.nominal, starts, true),
-            &end,
-            &mut report,
-        )
+        let beginning = self.beginning();
+        self.searches(&checked, &objectives)
+            .searched(&beginning, &end, &mut report)
     }
 
-    /// Searches for the objectives from a mechanism, which is the first of so many starts;
-    /// `widening` begins within narrower bounds there.
-    pub(super) fn searched(
-        &self,
-        checked: &Checked<A>,
-        objectives: &Objectives<'_, M, A, N>,
-        (first, starts, widening): (&M, usize, bool),
-        end: &End<'_>,
-        report: &mut Option<Report<'a>>,
-    ) -> Result<Vec<BestCycle<M, A>>, DesignError> {
-        let stopped = || end.reached();
-        let (assembled, first_assembly) = (&*self.assemble, &self.assembly);
-        let assemble = |near: &A, mechanism: &M| assembled(mechanism, near);
-        let same_modes = |mechanism: &M| assemble(first_assembly, mechanism);
-        let descents = |assembly: usize, assemble| {
-            let problem = self.problem(checked, objectives, first, assemble);
-            let start = problem.start(&problem.limits, problem.first());
-            Descents {
-                reference: start.ok().and_then(|start| problem.scales(&start)),
-                widening,
-                seed: self.settings.seed,
-                steps: self.settings.steps,
-                stopped: &stopped,
-                assembly,
-                problem,
-            }
-        };
-        let mut all = vec![descents(0, &same_modes as &Assemble<'_, M, A>)];
-        // The assembly that is there is among the branches, if it runs through the whole range.
-        let branches = checked.circuits.whole().filter(|_| self.all_assemblies);
-        let others = branches
-            .map(|branch| &branch.assembly)
-            .filter(|assembly| !all[0].is_own(assembly));
-        let others: Vec<_> = others
-            .map(|near| move |mechanism: &M| assemble(near, mechanism))
-            .collect();
-        for (k, other) in others.iter().enumerate() {
-            all.push(descents(k + 1, other));
-        }
-        // The first start is always begun: the mechanism that is there may be all that is found in
-        // time.
-        let from = |starts: Range<usize>| {
-            let (start, assembly) = (starts.start / all.len(), starts.start % all.len());
-            (starts.start == 0 || !stopped()).then(|| all[assembly].from(start))
-        };
-        let least = |found: &Option<Result<Optimum<M, A>, _>>| match found {
-            Some(Ok(optimum)) => optimum.least(),
-            _ => f64::INFINITY,
-        };
-        let ended = |done: usize| done > 0 && stopped();
-        let each: Vec<_> = (0..all.len() * starts).map(|k| k..k + 1).collect();
-        let (found, _) = in_rounds(&each, &ended, report, from, least);
-        let (mut optima, mut refused) = (Vec::new(), Vec::new());
-        for found in found.into_iter().flatten() {
-            match found {
-                Ok(optimum) => optima.push(optimum),
-                Err(error) => refused.push(error),
-            }
-        }
-        match optima.is_empty() {
-            true => Err(all[0].refusals(refused)),
-            false => Ok(all[0].distinct(optima)),
-        }
+    /// Makes the descents of a [`part`](Self::part) of the starts, for a search in several
+    /// processes: each computes a part, and one of them takes all parts by [`known`](Self::known)
+    /// and runs.
+    ///
+    /// ```
+    /// use linkage_design::{BestCycle, CycleDesign, CyclePart, DesignError};
+    /// # use linkage_runtime::Dimensions;
+    ///
+    /// // In each process: a part, as bytes.
+    /// type Bytes = Vec<u8>;
+    /// type Part = Result<Bytes, DesignError>;
+    /// fn part<M, A, const N: usize>(problem: CycleDesign<'_, M, A, N>, k: usize, of: usize) -> Part
+    /// # where M: Dimensions<N> + Copy + Send + Sync, A: Send + Sync
+    /// {
+    ///     Ok(problem.part(k, of).descend()?.to_bytes())
+    /// }
+    ///
+    /// // In one of them: the optima, as of one search.
+    /// type Found<M, A> = Result<Vec<BestCycle<M, A>>, DesignError>;
+    /// fn whole<M, A, const N: usize>(problem: CycleDesign<'_, M, A, N>, parts: &[Bytes]) -> Found<M, A>
+    /// # where M: Dimensions<N> + Copy + Send + Sync, A: Send + Sync
+    /// {
+    ///     let mut problem = problem;
+    ///     for part in parts {
+    ///         problem = problem.known(CyclePart::read(part)?);
+    ///     }
+    ///     problem.run_all()
+    /// }
+    /// ```
+    ///
+    /// # Errors
+    ///
+    /// All mistakes of the problem at once.
+    pub fn descend(mut self) -> Result<CyclePart, DesignError> {
+        let end = self.settings.end();
+        let mut report = self.settings.progress.take();
+        let objectives: Vec<_> = self.objectives.iter().map(Box::as_ref).collect();
+        let checked = self.checked(&objectives)?;
+        let beginning = self.beginning();
+        self.searches(&checked, &objectives)
+            .descended(&beginning, &end, &mut report)
     }
 
-    fn problem<'p>(
-        &'p self,
-        checked: &Checked<A>,
-        objectives: &'p Objectives<'p, M, A, N>,
-        first: &M,
-        assemble: &'p Assemble<'p, M, A>,
-    ) -> Problem<'p, M, A, N> {
-        let cycle = &checked.circuits.cycle;
-        Problem {
-            nominal: first.values(),
-            varied: checked.varied.indices.clone(),
-            limits: checked.varied.limits.clone(),
-            catalogues: checked.varied.catalogues.clone(),
-            range: (cycle.low, cycle.high),
-            closed: cycle.turn().is_some(),
-            positions: self.positions,
+    /// The searches of a checked problem.
+    pub(super) fn searches<'s>(
+        &'s self,
+        checked: &'s Checked<A>,
+        objectives: &'s Objectives<'s, M, A, N>,
+    ) -> Searches<'s, 's, M, A, N> {
+        Searches {
+            design: self,
+            checked,
             objectives,
-            assemble,
-            circuits: &*self.circuits,
+        }
+    }
+
+    fn beginning(&self) -> Beginning<'_, M> {
+        Beginning {
+            first: &self.nominal,
+            starts: self.settings.starts.max(1),
+            widening: true,
+            part: self.part,
+            known: &self.known,
         }
     }
 
@@ -173,6 +132,10 @@ where
         let goals: Vec<_> = goals.map(|objective| objective.title()).collect();
         if goals.len() != 1 {
             errors.push(DesignError::Goals { goals });
+        }
+        let [part, of] = self.part;
+        if part >= of {
+            errors.push(DesignError::Part { part, of });
         }
         if self.positions < 2 {
             let what = "less than two positions";

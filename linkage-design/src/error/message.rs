@@ -64,6 +64,10 @@ impl fmt::Display for DesignError {
             Self::NoPart => f.write_str(
                 "these bytes are no part of a search, or some of them are missing or changed; write them again by `to_bytes`",
             ),
+            Self::Undivided => f.write_str(
+                "a front is not made in parts: each of its searches begins with the result of another one; leave `part` and \
+                 `known` out",
+            ),
             Self::Nothing { what, objective } => write!(f, "{objective}: {what}"),
             Self::NotFinite { objective, number } => {
                 write!(f, "{objective}: {number} is no finite number")

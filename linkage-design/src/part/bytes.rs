@@ -1,16 +1,16 @@
 //! Parts of a search as bytes, for other processes and for files.
 
-use std::collections::BTreeMap;
 use std::vec::Vec;
 
 use linkage_core::bytes::{Reader, Writer};
 
 use super::super::DesignError;
+use super::super::numbered::{Numbered, read_numbers, write_numbers};
 use super::super::optimum::Optimum;
 use super::super::refusals::Tally;
 use super::super::search::Block;
 use super::super::violation::Violation;
-use super::{DesignPart, Identity};
+use super::DesignPart;
 
 /// The first bytes: the format and its version.
 const BEGIN: &[u8; 8] = b"linkDP\0\x01";
@@ -19,21 +19,7 @@ impl DesignPart {
     /// The descents as bytes, some hundred for each start that ends at an optimum.
     #[must_use]
     pub fn to_bytes(&self) -> Vec<u8> {
-        let Identity {
-            starts,
-            digest,
-            probes,
-        } = &self.problem;
-        let mut out = Writer::new(BEGIN);
-        out.varying(*starts as u64);
-        out.fixed(*digest);
-        numbers(&mut out, probes);
-        out.varying(self.blocks.len() as u64);
-        for (&number, block) in &self.blocks {
-            out.varying(number as u64);
-            write(&mut out, block);
-        }
-        out.finish()
+        self.blocks.to_bytes(BEGIN, write)
     }
 
     /// The descents that another process wrote by [`to_bytes`](Self::to_bytes).
@@ -42,22 +28,9 @@ impl DesignPart {
     ///
     /// `NoPart` for other bytes, and for damaged ones.
     pub fn read(bytes: &[u8]) -> Result<Self, DesignError> {
-        let part = Reader::new(bytes, BEGIN).and_then(|mut bytes| part(&mut bytes));
-        part.ok_or(DesignError::NoPart)
+        let blocks = Numbered::read(bytes, BEGIN, block)?;
+        Ok(Self { blocks })
     }
-}
-
-fn part(bytes: &mut Reader<'_>) -> Option<DesignPart> {
-    let problem = Identity {
-        starts: bytes.index()?,
-        digest: bytes.fixed()?,
-        probes: read_numbers(bytes)?,
-    };
-    let blocks: Option<BTreeMap<_, _>> = (0..bytes.varying()?)
-        .map(|_| Some((bytes.index()?, block(bytes)?)))
-        .collect();
-    let blocks = blocks?;
-    bytes.is_empty().then_some(DesignPart { problem, blocks })
 }
 
 fn write(out: &mut Writer, block: &Block) {
@@ -138,7 +111,7 @@ fn write_optimum(out: &mut Writer, optimum: &Optimum) {
         converged,
         zero,
     } = optimum;
-    numbers(out, x);
+    write_numbers(out, x);
     out.float(*sum);
     for count in [
         *assembly,
@@ -165,15 +138,6 @@ fn optima(bytes: &mut Reader<'_>) -> Option<Vec<Optimum>> {
         })
     };
     (0..bytes.varying()?).map(|_| optimum(bytes)).collect()
-}
-
-fn numbers(out: &mut Writer, numbers: &[f64]) {
-    out.varying(numbers.len() as u64);
-    numbers.iter().for_each(|&number| out.float(number));
-}
-
-fn read_numbers(bytes: &mut Reader<'_>) -> Option<Vec<f64>> {
-    (0..bytes.varying()?).map(|_| bytes.float()).collect()
 }
 
 fn counts(bytes: &mut Reader<'_>) -> Option<Vec<usize>> {

@@ -35,6 +35,7 @@ pub(super) fn exchanged<T: Copy>(of: &Unknowns<T>) -> Unknowns<T> {
 
 /// Quantities that the three cognates have in common: sum of the joints of the frame and sum of
 /// their products, both with hats.
+#[derive(Clone, Debug, PartialEq)]
 pub(super) struct Mark([Ball; 4]);
 
 impl Mark {

@@ -9,21 +9,23 @@ use super::super::path::Pace;
 use super::super::task::Shift;
 use super::cognates::{Mark, cognate, exchanged};
 use super::equations::{self, ALL, Shifts, Unknowns};
-use super::path::{ParameterPath, follow};
-use super::result::TRIPLES;
+use super::path::{self, ParameterPath};
 use super::stored_solutions;
 use super::task::Task;
 use linkage_core::numeric::complex::{Complex, ONE, ZERO};
 use linkage_core::numeric::double_double::DoubleDouble;
 use linkage_design::Progress;
 use linkage_design::internals::in_parallel;
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 use std::vec::Vec;
 
 pub(super) type Certificate = certificate::Certificate<ALL>;
 
 /// A solution that is shown to be one.
 pub(super) type FoundSolution = (Certificate, Mark);
+
+/// Ends of paths by their numbers, as followed along the first arc; `None` where there is no end.
+pub(super) type Ends = BTreeMap<usize, Option<FoundSolution>>;
 
 /// Solutions, each shown to differ from the others, also as a cognate.
 #[derive(Default)]
@@ -38,19 +40,22 @@ const ATTEMPTS: usize = 3;
 /// Paths of a block: some dozen reports in all, and enough for many threads.
 const BLOCK: usize = 64;
 const STEPS: usize = 5;
+/// The arc and the attempt that parts of a search have.
+const FIRST: (usize, usize) = (0, 0);
 
 impl SolutionSearch {
     pub(super) fn run(
         task: &Task,
+        starts: &[Unknowns<Complex>],
+        known: &Ends,
         report: &mut impl FnMut(Progress) -> bool,
     ) -> Result<Self, Unsolved> {
         let (from, data) = (stored_solutions::shifts(), Data::new(&task.shifts));
-        let starts = stored_solutions::solutions();
         let mut search = Self::default();
         let mut count = starts.len();
         let mut done = 0;
         report_progress(report, done, count)?;
-        for angle in ARCS {
+        for (arc, angle) in ARCS.into_iter().enumerate() {
             let way = ParameterPath {
                 from: &from,
                 to: &data.plain,
@@ -62,11 +67,16 @@ impl SolutionSearch {
                 let pace = Pace::of_attempt(attempt);
                 let mut again = BTreeSet::new();
                 for block in left.chunks(BLOCK) {
-                    let ends = in_parallel(block, |&i| match attempt + 1 == ATTEMPTS {
-                        // Many digits take as long as the path: used only where nothing else
-                        // decides.
-                        true => data.end_long(&starts[i], &way, pace),
-                        false => data.end(&starts[i], &way, pace),
+                    let ends = in_parallel(block, |&i| {
+                        match known.get(&i).filter(|_| (arc, attempt) == FIRST) {
+                            Some(end) => end.clone(),
+                            // Many digits take as long as the path: used only where nothing else
+                            // decides.
+                            None if attempt + 1 == ATTEMPTS => {
+                                data.end_long(&starts[i], &way, pace)
+                            }
+                            None => data.end(&starts[i], &way, pace),
+                        }
                     });
                     for (&i, end) in block.iter().zip(ends) {
                         again.extend(search.doubtful(i, end));
@@ -74,7 +84,7 @@ impl SolutionSearch {
                     done += block.len();
                     report_progress(report, done, count)?;
                 }
-                if search.found.len() >= TRIPLES {
+                if search.found.len() >= starts.len() {
                     return Ok(search);
                 }
                 count += again.len();
@@ -112,6 +122,34 @@ impl SolutionSearch {
             self.found.len() - 1
         })
     }
+}
+
+/// Follows paths along the first arc, until the progress is answered by `false`.
+pub(super) fn follow(
+    task: &Task,
+    starts: &[Unknowns<Complex>],
+    numbers: &[usize],
+    report: &mut impl FnMut(Progress) -> bool,
+) -> Ends {
+    let (from, data) = (stored_solutions::shifts(), Data::new(&task.shifts));
+    let (arc, attempt) = FIRST;
+    let way = ParameterPath {
+        from: &from,
+        to: &data.plain,
+        arc: Complex::polar(ARCS[arc]),
+    };
+    let pace = Pace::of_attempt(attempt);
+    let mut ends = Ends::new();
+    for block in numbers.chunks(BLOCK) {
+        if report_progress(report, ends.len(), numbers.len()).is_err() {
+            return ends;
+        }
+        let found = in_parallel(block, |&i| data.end(&starts[i], &way, pace));
+        ends.extend(block.iter().copied().zip(found));
+    }
+    // Nothing is left that a receiver could stop.
+    let _ = report_progress(report, ends.len(), numbers.len());
+    ends
 }
 
 fn report_progress(
@@ -174,7 +212,7 @@ impl Data {
         way: &ParameterPath<'_>,
         pace: Pace,
     ) -> Option<[Unknowns<Complex>; 3]> {
-        let end = follow(start, way, pace)?;
+        let end = path::follow(start, way, pace)?;
         let second = cognate(&end, &self.plain);
         let third = cognate(&exchanged(&end), &self.plain);
         Some([end, second, third])

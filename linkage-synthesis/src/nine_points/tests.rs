@@ -2,6 +2,7 @@
 //! `LINKAGE_LONG`.
 
 mod curves;
+mod divided;
 mod generator;
 
 use super::super::Pose;
@@ -10,6 +11,7 @@ use super::super::tests::coupler_at;
 use super::equations::{Unknowns, with_turns};
 use super::path::ParameterPath;
 use super::search::{Data, SolutionSearch};
+use super::task::Task;
 use super::*;
 use core::f64::consts::TAU;
 use linkage_core::numeric::complex::{Complex, ONE};
