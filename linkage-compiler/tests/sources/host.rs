@@ -1,51 +1,103 @@
-//! The macro of a user's crate and the program have separate builds of the core.
+//! The macro of a user's crate and the program share no build of a package.
 
-use std::env;
+use std::collections::BTreeSet;
 use std::process::Command;
+use std::{env, fs};
 
-const CORE: &str = "linkage-core ";
+const ROOT: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/..");
 
-/// The features of the core in a crate that uses the macro: of each place in its tree of packages.
-fn features_of_the_core() -> Vec<Vec<String>> {
+/// Packages that are for macros only, by the beginnings of their names.
+const MACRO_ONLY: [&str; 6] = [
+    "proc-macro2 ",
+    "quote ",
+    "syn ",
+    "unicode-ident ",
+    "linkage-compiler ",
+    "linkage-symbolic ",
+];
+
+/// Packages that are for programs only.
+const PROGRAM_ONLY: [&str; 5] = ["approx ", "nalgebra ", "num-", "simba ", "linkage-runtime "];
+
+/// The builds in a user's crate: a build is a package with its version and its features.
+struct Builds {
+    of_the_macro: BTreeSet<String>,
+    of_the_program: BTreeSet<String>,
+}
+
+/// Returns the builds of a crate that uses the facade with the given options of Cargo.
+fn builds(options: &[&str]) -> Builds {
     let output = Command::new(env!("CARGO"))
-        .current_dir(concat!(env!("CARGO_MANIFEST_DIR"), "/.."))
-        .args([
-            "tree",
-            "--package",
-            "linkage-mechanism",
-            "--edges",
-            "normal",
-        ])
-        .args([
-            "--prefix",
-            "none",
-            "--no-dedupe",
-            "--offline",
-            "--format",
-            "{p} {f}",
-        ])
+        .current_dir(ROOT)
+        .args(["tree", "--package", "linkage-mechanism", "--offline"])
+        .args(["--edges", "normal", "--no-dedupe"])
+        .args(["--prefix", "depth", "--format", " {p} [{f}]"])
+        .args(options)
         .output()
         .expect("cargo runs");
     let messages = String::from_utf8_lossy(&output.stderr);
     assert!(output.status.success(), "{messages}");
     let tree = String::from_utf8(output.stdout).expect("a text");
-    let lines = tree.lines().filter(|line| line.starts_with(CORE));
-    lines
-        .map(|line| {
-            let features = line.rsplit(' ').next().unwrap_or_default();
-            features.split(',').map(str::to_owned).collect()
-        })
-        .collect()
+    let mut builds = Builds {
+        of_the_macro: BTreeSet::new(),
+        of_the_program: BTreeSet::new(),
+    };
+    // The depth of the macro whose dependencies follow.
+    let mut macro_depth = None;
+    for line in tree.lines() {
+        let (depth, package) = line.split_once(' ').expect("a depth and a package");
+        let depth: usize = depth.parse().expect("a number");
+        if macro_depth.is_some_and(|above| depth <= above) {
+            macro_depth = None;
+        }
+        if macro_depth.is_none() && package.contains("(proc-macro)") {
+            macro_depth = Some(depth);
+        }
+        let side = match macro_depth {
+            Some(_) => &mut builds.of_the_macro,
+            None => &mut builds.of_the_program,
+        };
+        side.insert(package.to_owned());
+    }
+    builds
+}
+
+/// Returns the names of the facade's features.
+fn features() -> Vec<String> {
+    let manifest = fs::read_to_string(format!("{ROOT}/Cargo.toml")).expect("a manifest");
+    let (_, after) = manifest.split_once("\n[features]\n").expect("features");
+    let table = after.split("\n[").next().unwrap_or_default();
+    let names = table.lines().filter_map(|line| line.split_once(" = "));
+    names.map(|(name, _)| name.to_owned()).collect()
+}
+
+fn check(options: &[&str]) {
+    let Builds {
+        of_the_macro,
+        of_the_program,
+    } = builds(options);
+    let both: Vec<_> = of_the_macro.intersection(&of_the_program).collect();
+    assert!(both.is_empty(), "{options:?}: one build for both: {both:?}");
+    let begins = |build: &str, names: &[&str]| names.iter().any(|name| build.starts_with(name));
+    for build in &of_the_macro {
+        assert!(!begins(build, &PROGRAM_ONLY), "{options:?}: {build}");
+    }
+    for build in &of_the_program {
+        assert!(!begins(build, &MACRO_ONLY), "{options:?}: {build}");
+    }
+    let core =
+        |side: &BTreeSet<String>| side.iter().any(|build| build.starts_with("linkage-core "));
+    assert!(core(&of_the_macro) && core(&of_the_program), "{options:?}");
 }
 
 /// With one build for both, Cargo gives it the debug information of the program if it builds the program, and none if it
-/// checks it. Core, compiler and macro were then built twice.
+/// checks it. All that depends on it was then built twice, compiler and macro among it.
 #[test]
-fn only_the_macro_has_the_core_of_the_host() {
-    let places = features_of_the_core();
-    let of_the_host = |features: &Vec<String>| features.iter().any(|name| name == "host");
-    let hosts = places.iter().filter(|features| of_the_host(features));
-    assert!(hosts.count() > 0, "no core of the macro: {places:?}");
-    let of_the_program = places.iter().find(|features| !of_the_host(features));
-    assert!(of_the_program.is_some(), "one core for both: {places:?}");
+fn macro_and_program_share_no_build() {
+    check(&[]);
+    check(&["--all-features"]);
+    for feature in features() {
+        check(&["--features", &feature]);
+        check(&["--no-default-features", "--features", &feature]);
+    }
 }

@@ -2,6 +2,7 @@
 
 use super::rough_root::rough_root;
 use super::system::Variable;
+use crate::numeric::array::array;
 use crate::numeric::complex::{Complex, ONE};
 use crate::numeric::complex_matrix::Vector;
 
@@ -53,7 +54,7 @@ impl<const N: usize> ProjectivePoint<N> {
     /// that of its reflection.
     pub(super) fn gaps(&self, variables: &[Variable]) -> [f64; N] {
         let image = self.reflection(variables);
-        core::array::from_fn(|j| {
+        array(|j| {
             let (x, other) = (self.x[j], image.x[j]);
             let gap = match self.flipped[j] == image.flipped[j] {
                 true => x - other,
@@ -66,7 +67,7 @@ impl<const N: usize> ProjectivePoint<N> {
 
     /// The values of the variables; infinite ones are not finite numbers.
     pub(super) fn values(&self) -> Vector<N> {
-        core::array::from_fn(|j| self.value(j))
+        array(|j| self.value(j))
     }
 
     fn value(&self, j: usize) -> Complex {
