@@ -3,7 +3,8 @@
 //! - `5-lower` shows the statements of programs. Here their number stands for them, with a check sum: it tells a change of how they are printed.
 //! - Of many statements or elements that differ in numbers only, the first is printed, and how many more there are, with a check sum.
 //! - What silences lints is printed once. An item outside of other items without it is marked as `#[loud]`.
-//! - Macros that depend on features become an attribute of each item within: the printer leaves bodies of macros as they are.
+//! - Macros that depend on features become an attribute of the first item within, with the number of items: the printer leaves
+//!   bodies of macros as they are.
 
 use proc_macro2::{Delimiter, Group, Ident, Literal, TokenStream, TokenTree};
 use quote::{ToTokens, quote};
@@ -196,16 +197,16 @@ fn sum(text: &str) -> u32 {
     })
 }
 
-/// The items in a macro that depends on a feature, each with its name as an attribute; another item as it is.
+/// The items in a macro that depends on a feature, with its name as an attribute; another item as it is.
 fn unwrapped(item: Item) -> Vec<Item> {
     match item {
-        Item::Macro(item) => {
+        Item::Macro(item) if is_feature(&item.mac.path) => {
             let file = item.mac.parse_body::<File>();
             let file = file.unwrap_or_else(|e| panic!("{e} in {}", item.mac.to_token_stream()));
-            let feature = feature(&item.mac.path);
             let mut items: Vec<Item> = file.items.into_iter().flat_map(unwrapped).collect();
-            for item in &mut items {
-                attributes(item).insert(0, parse_quote!(#[#feature]));
+            let mark = feature(&item.mac.path, items.len());
+            if let Some(first) = items.first_mut() {
+                attributes(first).insert(0, mark);
             }
             items
         }
@@ -250,25 +251,35 @@ fn content(module: &mut ItemMod) -> &mut Vec<Item> {
 }
 
 fn unwrapped_member(member: ImplItem) -> Vec<ImplItem> {
-    let ImplItem::Macro(member) = member else {
-        return vec![member];
+    let member = match member {
+        ImplItem::Macro(member) if is_feature(&member.mac.path) => member,
+        other => return vec![other],
     };
     let members = member.mac.tokens;
     let block: ItemImpl = parse_quote!(impl Members { #members });
-    let feature = feature(&member.mac.path);
     let members = block.items.into_iter().flat_map(unwrapped_member);
     let mut members: Vec<ImplItem> = members.collect();
-    for member in &mut members {
-        match member {
-            ImplItem::Fn(function) => function.attrs.insert(0, parse_quote!(#[#feature])),
-            other => panic!("a method: {}", other.to_token_stream()),
-        }
+    let mark = feature(&member.mac.path, members.len());
+    match members.first_mut() {
+        Some(ImplItem::Fn(function)) => function.attrs.insert(0, mark),
+        other => panic!("a method: {}", other.to_token_stream()),
     }
     members
 }
 
-fn feature(path: &Path) -> &Ident {
+fn last(path: &Path) -> &Ident {
     &path.segments.last().expect("a macro has a name").ident
+}
+
+/// True for a macro whose content depends on a feature.
+fn is_feature(path: &Path) -> bool {
+    last(path).to_string().starts_with("if_")
+}
+
+/// The attribute that stands for such a macro.
+fn feature(path: &Path, items: usize) -> Attribute {
+    let (name, items) = (last(path), Literal::usize_unsuffixed(items));
+    parse_quote!(#[#name(#items)])
 }
 
 fn attributes(item: &mut Item) -> &mut Vec<Attribute> {
@@ -277,6 +288,7 @@ fn attributes(item: &mut Item) -> &mut Vec<Attribute> {
         Item::Struct(item) => &mut item.attrs,
         Item::Type(item) => &mut item.attrs,
         Item::Impl(item) => &mut item.attrs,
+        Item::Macro(item) => &mut item.attrs,
         Item::Mod(item) => &mut item.attrs,
         Item::Use(item) => &mut item.attrs,
         other => panic!(
