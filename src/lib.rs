@@ -79,6 +79,8 @@ macro_rules! mechanism {
     };
 }
 
+mod columns_and_sweeps;
+
 /// Its content if feature `alloc` is on, else nothing: generated code cannot see the features.
 #[cfg(feature = "alloc")]
 #[doc(hidden)]
@@ -384,7 +386,8 @@ struct Overview;
 /// see.
 #[doc(hidden)]
 pub mod __private {
-    pub use crate::{if_alloc, if_rayon, if_report};
+    pub use crate::columns_and_sweeps::*;
+    pub use crate::{columns, if_alloc, if_rayon, if_report, set_sweeps, sweeps};
     pub use core::convert::AsRef;
     pub use core::marker::{Send, Sync};
     pub use core::ops::{Fn, FnOnce};
@@ -401,38 +404,31 @@ pub mod __private {
         RevolutionsOf,
     };
     #[cfg(feature = "alloc")]
-    pub use linkage_runtime::support::{
-        Arguments, OverInputs, RowNumbersMut, SetStages, Slices, Vec, fill, sweep, sweep_into,
-        sweep_sets, sweep_sets_into,
-    };
+    pub use linkage_runtime::support::{Arguments, OverInputs, SetStages, Vec, columns_of, fill};
     pub use linkage_runtime::support::{
         AssemblyData as Sealed, Block, Core, Dispatch as Single, FinishedRows, Function,
-        FunctionNames, NoStates, RowNumbers, RunStages, Stage, StageRow, Staged, States, call,
-        call_inlined, derivative_of, dispatch as single, drawn, evaluate, margin, named,
-        operations, parameter, rate, sensitivity, value,
+        FunctionNames, NoStates, RowNumbersMut, RunStages, Stage, StageData, StageRow, Staged,
+        States, call, call_inlined, derivative_of, dispatch as single, drawn, evaluate, function,
+        function_names, margin, named, operations, parameter, rate, sensitivity, value,
     };
     #[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]
     pub use linkage_runtime::support::{
         Bounds, Enclosure, GroupData, GroupProgram, Grouped, Level, PlainGroups, Slack,
-        SurveyedUnknown, assemble_coupled, assemble_from, assemblies, assemblies_at, bounds,
-        check_range_of, circuits_of,
+        assemble_coupled, assemble_from, assemblies, assemblies_at, bounds, check_range_of,
+        circuits_of, surveyed,
     };
     #[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]
     pub use linkage_runtime::support::{
         Coupled, CoupledGrid, CoupledGroup, CoupledInput, CoupledLoop, CoupledUnknown,
         FollowedStages, InitialState as Start, Moving, Range, Standing, Stop, Term, Terms,
-        Variable, follow, followed_sweep_sets, followed_sweep_sets_into, put_corrected,
-    };
-    #[cfg(feature = "rayon")]
-    pub use linkage_runtime::support::{
-        followed_sweep_sets_parallel_into, sweep_parallel_into, sweep_sets_parallel_into,
+        Variable, follow, put_corrected,
     };
     pub use linkage_runtime::{
-        AssemblyError, AssemblyMode, Axis, Dimensions, Drive, DriveOn, FUSED, Frame, FunctionInfo,
-        Gear, Group, Guide, GuideOn, GuideShape, Heading, Input, JointShape, NotFollowed,
-        Parameter, Picture, PictureColumns, PictureJoint, PictureLink, PicturePart, PicturePoint,
-        PlaneFrame, PointKind, Programs, ResultRow, Scalar, Structure, Vector2, Vector3,
-        WheelContact, WheelTurn,
+        AssemblyError, AssemblyMode, Axis, Dimensions, Drive, DriveOn, FUSED, Frame, Gear, Group,
+        Guide, GuideOn, GuideShape, Heading, Input, JointShape, NotFollowed, Parameter, Picture,
+        PictureColumns, PictureJoint, PictureLink, PicturePart, PicturePoint, PlaneFrame,
+        PointKind, Programs, ResultRow, Scalar, Structure, Vector2, Vector3, WheelContact,
+        WheelTurn,
     };
     #[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]
     pub use linkage_runtime::{Circuits, Cycle, RangeReport};

@@ -3,7 +3,7 @@
 use linkage_compiler::ir::Generated;
 use linkage_runtime::support::{
     AssemblyData, Core, CoreOf, DataOf, Description, GroupData, GroupProgram, Grouped,
-    InitialState, PlainGroups, Revolutions, RevolutionsOf, pairs,
+    InitialState, PlainGroups, Revolutions, RevolutionsOf, RowNumbersMut, pairs,
 };
 use linkage_runtime::{AssemblyMode, Enclosure, Scalar};
 use linkage_symbolic::interpret::run_by;
@@ -123,14 +123,18 @@ impl<'m> linkage_runtime::support::Compiled for Compiled<'m> {
         &self,
         modes: &Vec<AssemblyMode>,
         revolutions: &RevolutionsOf<Self>,
-    ) -> Vec<f64> {
+        slots: &mut impl RowNumbersMut<f64>,
+    ) {
         let numbers = self.numbers(modes, revolutions);
         let load = |source| numbers.load(source);
         let program = &self.mechanism.compiled.prepare;
-        match self.mechanism.multiply_adds {
+        let prepared = match self.mechanism.multiply_adds {
             MultiplyAdds::Generated => run_by::<Generated<f64, FUSED>>(program, load),
             MultiplyAdds::Fused => run_by::<Generated<f64, true>>(program, load),
             MultiplyAdds::Separate => run_by::<Generated<f64, false>>(program, load),
+        };
+        for (slot, value) in prepared.into_iter().enumerate() {
+            slots.put(slot, value);
         }
     }
 

@@ -34,13 +34,14 @@ pub use assembling::{
 pub use assembling::{
     Bounds, CoupledParts, GroupData, GroupProgram, GroupPrograms, Grouped, PlainGroups,
     SurveyedUnknown, assemble_coupled, assemble_from, assemble_there, assemblies, assemblies_at,
-    bounds,
+    bounds, surveyed,
 };
 #[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]
 pub(crate) use assembling::{surveyor, with_lanes};
 pub use assembly_data::{AssemblyData, Core};
 pub use constants::{
-    derivative_of, drawn, margin, operations, parameter, rate, sensitivity, value,
+    derivative_of, drawn, function, function_names, margin, operations, parameter, rate,
+    sensitivity, value,
 };
 #[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]
 pub use coupled::{
@@ -64,11 +65,12 @@ pub use linkage_core::range_check::Slack;
 pub use linkage_core::{Enclosure, Level};
 pub use named::{Named, named};
 pub use stages::{
-    Block, FinishedRows, Memory, RowNumbers, RunStages, Stage, StageRow, Staged, once,
+    Block, FinishedRows, Memory, RowNumbers, RowNumbersMut, RunStages, Stage, StageData, StageRow,
+    Staged, once,
 };
 #[cfg(feature = "alloc")]
 pub use sweep::{
-    Arguments, Kernel, OverInputs, RowNumbersMut, SetStages, Slices, fill, sweep, sweep_into,
+    Arguments, Kernel, OverInputs, SetStages, Slices, columns_of, fill, sweep, sweep_into,
     sweep_sets, sweep_sets_into,
 };
 #[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]

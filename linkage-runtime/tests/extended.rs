@@ -2,8 +2,8 @@
 
 use linkage_runtime::ResultRow;
 use linkage_runtime::support::{
-    AssemblyData, Block, FinishedRows, Function, FunctionNames, RunStages, Stage, StageRow, Staged,
-    States, sweep,
+    AssemblyData, Block, FinishedRows, Function, FunctionNames, RunStages, Stage, StageData,
+    StageRow, Staged, States, sweep,
 };
 
 /// Twice an argument, and minus its square.
@@ -30,20 +30,26 @@ impl States<f64, (), 1, 3> for Twice {
     }
 }
 
+/// Data of an assembly that nothing is prepared for.
+#[derive(Clone, Copy)]
+struct Nothing;
+
+impl StageData<f64> for Nothing {}
+
 /// The sum of three arguments, and the last one.
 struct Sum;
 
-impl Staged<f64, (), 3, 2> for Sum {
+impl Staged<f64, Nothing, 3, 2> for Sum {
     const WIDE: bool = true;
     type Memory<const B: usize> = Block<f64, B, 0>;
 
-    fn run(stages: &mut impl RunStages<f64, (), Self>) {
+    fn run(stages: &mut impl RunStages<f64, Nothing, Self>) {
         stages.stage::<0>();
     }
 }
 
-impl Stage<f64, (), 0> for Sum {
-    fn row<const FUSED: bool, const ROWS: bool>((): &(), row: &mut impl StageRow<f64>) {
+impl Stage<f64, Nothing, 0> for Sum {
+    fn row<const FUSED: bool, const ROWS: bool>(_: &Nothing, row: &mut impl StageRow<f64>) {
         let [x, twice, minus] = [0, 1, 2].map(|k| row.number(k));
         row.finish(0, x + twice + minus);
         row.finish(1, minus);
@@ -68,7 +74,7 @@ impl ResultRow<f64, 2> for Sums {
     }
 }
 
-impl Function<f64, (), (), 1, 3, 2> for Sums {
+impl Function<f64, Nothing, (), 1, 3, 2> for Sums {
     type Called = Sum;
     type Refining = Sum;
     type States = Twice;
@@ -80,10 +86,10 @@ impl Function<f64, (), (), 1, 3, 2> for Sums {
 
 #[test]
 fn rows_become_longer() {
-    let data = AssemblyData::new((), ());
+    let data = AssemblyData::new(Nothing, ());
     for len in [0, 1, 7, 8, 9, 31, 32, 33, 41, 1000] {
         let x: Vec<f64> = (0..len).map(f64::from).collect();
-        let columns = sweep::<f64, (), (), Sums, 1, 3, 2>(&data, [&x]);
+        let columns = sweep::<f64, Nothing, (), Sums, 1, 3, 2>(&data, [&x]);
         assert_eq!(columns.len(), x.len());
         for (row, x) in x.iter().enumerate() {
             assert_eq!(columns.get(row).0, [3.0 * x - x * x, -x * x]);

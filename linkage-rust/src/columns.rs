@@ -53,8 +53,8 @@ pub(super) fn items(outline: &Outline, function: &Function) -> TokenStream {
         return TokenStream::new();
     }
     let runtime = &outline.runtime;
-    let columns = result_module::columns(outline, function);
-    let result = result_module::result(outline, function);
+    let columns = &function.columns;
+    let result = function.result;
     let width = literal::index(function.width());
     let everywhere = &attribute::split(function.attributes).everywhere;
     let fields = fields(outline, function);
@@ -68,19 +68,9 @@ pub(super) fn items(outline: &Outline, function: &Function) -> TokenStream {
         }
     });
     quote! {
+        #(#everywhere)*
+        #runtime::columns! { #columns of [#result; #width] }
         #runtime::if_alloc! {
-            #(#everywhere)*
-            #[automatically_derived]
-            impl<T> ::core::default::Default for #columns<T> {
-                fn default() -> Self { Self(::core::default::Default::default()) }
-            }
-            #(#everywhere)*
-            #[automatically_derived]
-            impl<T> ::core::ops::Deref for #columns<T> {
-                type Target = #runtime::ResultColumns<T, #result<T>, #width>;
-
-                fn deref(&self) -> &Self::Target { &self.0 }
-            }
             #(#everywhere)*
             impl<T: #runtime::Scalar> #columns<T> {
                 #constructor

@@ -33,7 +33,7 @@ pub(super) fn items(outline: &Outline, unit: &CompiledMechanism) -> TokenStream 
         true => quote!(*__inputs),
         false => quote!(#assembly::<T>::__extend(__states, *__inputs)),
     };
-    let prepare = program(outline, &unit.prepare, body::outputs);
+    let prepare = program(outline, &unit.prepare, put_prepared);
     let gaps = by_build(outline, &unit.gaps, body::outputs);
     let directions = by_build(outline, &unit.directions, body::pairs);
     let bearings = by_build(outline, &unit.bearings, body::pairs);
@@ -78,7 +78,8 @@ pub(super) fn items(outline: &Outline, unit: &CompiledMechanism) -> TokenStream 
                 &self,
                 __modes: &#modes,
                 __turns: &#runtime::RevolutionsOf<Self>,
-            ) -> #prepared {
+                __slots: &mut impl #runtime::RowNumbersMut<T>,
+            ) {
                 let __m = self;
                 #prepare
             }
@@ -99,6 +100,21 @@ pub(super) fn items(outline: &Outline, unit: &CompiledMechanism) -> TokenStream 
             fn bearings(&self, __modes: &#modes) -> #as_ref<[[T; 2]]> { #bearings }
         }
     }
+}
+
+/// Puts the outputs of the program that prepares an assembly into the slots of these numbers.
+fn put_prepared(prepare: &Program) -> TokenStream {
+    put(prepare, 0..prepare.outputs.len())
+}
+
+/// Puts outputs into the slots of these numbers.
+pub(super) fn put(program: &Program, slots: impl IntoIterator<Item = usize>) -> TokenStream {
+    let values = program.outputs.iter().zip(slots);
+    let puts = values.map(|(&value, slot)| {
+        let (slot, value) = (literal::index(slot), body::name(value));
+        quote!(__slots.put(#slot, #value);)
+    });
+    puts.collect()
 }
 
 /// A program of the mechanism `self`, by the instructions of the build.
@@ -136,6 +152,7 @@ fn description(outline: &Outline, unit: &CompiledMechanism) -> TokenStream {
     let needed = unit.groups.iter().flat_map(|group| &group.parameters);
     let needed = needed.map(|&index| literal::index(index));
     let units = unit.groups.iter().map(|group| &group.gap_unit);
+    let prepared = literal::index(outline.prepared);
     let modes = outline.default_modes();
     let angles = unit.angles.iter().map(|one| angle(outline, unit, one));
     quote! {
@@ -146,6 +163,7 @@ fn description(outline: &Outline, unit: &CompiledMechanism) -> TokenStream {
             groups: #constants::STRUCTURE.groups,
             needed: &[#(#needed),*],
             gap_units: &[#(#units),*],
+            prepared: #prepared,
             modes: &#modes,
             angles: &[#(#angles),*],
         }

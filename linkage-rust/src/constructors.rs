@@ -54,6 +54,7 @@ pub(super) fn items(outline: &Outline) -> TokenStream {
         }
     });
     let aliases = aliases(outline);
+    let aliases = (!aliases.is_empty()).then(|| quote!(#[doc(alias(#(#aliases),*))]));
     quote! {
         impl<T: #runtime::Scalar> #name<T> {
             /// Closes the loops at the reference inputs in the assembly mode that the start estimates choose, and
@@ -63,7 +64,7 @@ pub(super) fn items(outline: &Outline) -> TokenStream {
             ///
             /// Says which loop cannot close and by how much it misses, or has no finite solution, or which angle cannot be
             /// followed through the range.
-            #(#[doc(alias = #aliases)])*
+            #aliases
             pub fn assemble(&self) -> __p::Result<#assembly<T>, #error> { #assemble }
         }
         #runtime::if_alloc! {

@@ -4,10 +4,10 @@ use linkage_symbolic::count::Count;
 use proc_macro2::TokenStream;
 use quote::quote;
 
-/// The runtime's `Operations`.
-pub(super) fn literal(runtime: &TokenStream, count: &Count) -> TokenStream {
+/// The counts that the runtime's `Operations` is made of.
+pub(super) fn literal(count: &Count) -> TokenStream {
     let counts = count.by_class();
-    quote!(#runtime::operations([#(#counts),*]))
+    quote!([#(#counts),*])
 }
 
 /// `12 additions, 3 square roots`, or `none`.

@@ -4,9 +4,9 @@
 use proc_macro2::TokenStream;
 use quote::quote;
 
+use super::attribute;
 use super::outline::{Field, Function, Outline, plain};
 use super::spanned::aside;
-use super::{attribute, result_module};
 use linkage_language::model::Shape;
 
 /// False where a derive shows the same, or where the user derives it.
@@ -23,7 +23,7 @@ pub(super) fn shown(outline: &Outline, function: &Function) -> Option<TokenStrea
     }
     let runtime = &outline.runtime;
     let everywhere = &attribute::split(function.attributes).everywhere;
-    let result = result_module::result(outline, function);
+    let result = function.result;
     let title = plain(function.result);
     let fields = function.fields.iter().map(|field| {
         let (name, title) = (aside(field.name), plain(field.name));

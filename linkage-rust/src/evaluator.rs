@@ -84,7 +84,7 @@ pub(super) fn method(outline: &Outline, function: &Function) -> TokenStream {
     );
     let must_use = (!attribute::has(function.attributes, "must_use")).then(|| quote!(#[must_use]));
     let inline = (!attribute::has(function.attributes, "inline")).then(|| quote!(#[inline]));
-    let result = result_module::result(outline, function);
+    let result = function.result;
     let call = outline.body(match function.chooses {
         true => quote!(#runtime::call(&self.__sealed, [#(#arguments),*])),
         false => quote!(#runtime::call_inlined(&self.__sealed, [#(#arguments),*])),
@@ -101,12 +101,12 @@ pub(super) fn method(outline: &Outline, function: &Function) -> TokenStream {
 pub(super) fn programs(outline: &Outline, function: &Function) -> TokenStream {
     let Outline { runtime, core, .. } = outline;
     let everywhere = &attribute::split(function.attributes).everywhere;
-    let result = result_module::result(outline, function);
+    let result = function.result;
     let starts = array_types::starts_type(outline);
     let arguments = function.arguments.iter().map(|argument| plain(argument));
     let title = plain(function.name);
     let [called, refining] = [Version::Called, Version::refining(function)]
-        .map(|version| stages::name(outline, function, version));
+        .map(|version| stages::name(function, version));
     let states = match function.states.is_empty() {
         true => quote!(#runtime::NoStates),
         false => called.to_token_stream(),
@@ -124,10 +124,7 @@ pub(super) fn programs(outline: &Outline, function: &Function) -> TokenStream {
             type Called = #called;
             type Refining = #refining;
             type States = #states;
-            const NAMES: &'static #runtime::FunctionNames<#inputs> = &#runtime::FunctionNames {
-                function: #title,
-                arguments: [#(#arguments),*],
-            };
+            const NAMES: &'static #runtime::FunctionNames<#inputs> = &#runtime::function_names(#title, [#(#arguments),*]);
         }
     }
 }
@@ -135,7 +132,7 @@ pub(super) fn programs(outline: &Outline, function: &Function) -> TokenStream {
 /// The runtime's `ResultRow` of the result type.
 pub(super) fn result_row(outline: &Outline, function: &Function) -> TokenStream {
     let runtime = &outline.runtime;
-    let result = result_module::result(outline, function);
+    let result = function.result;
     let everywhere = &attribute::split(function.attributes).everywhere;
     let width = literal::index(function.width());
     let row = entries("__row", function.width());

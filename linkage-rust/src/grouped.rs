@@ -33,6 +33,13 @@ pub(super) fn items(outline: &Outline, unit: &CompiledMechanism) -> TokenStream 
         let [number, first, end] = [number, first, first + start.size].map(literal::index);
         quote!(#number => &mut __x[#first..#end],)
     });
+    let state_mut = coupled.then(|| {
+        quote! {
+            fn state_mut(__x: &mut #arguments, __number: __p::usize) -> &mut [T] {
+                match __number { #(#state)* _ => &mut [] }
+            }
+        }
+    });
     let plain = plain(outline, unit);
     quote! {
         #runtime::if_alloc! {
@@ -50,10 +57,7 @@ pub(super) fn items(outline: &Outline, unit: &CompiledMechanism) -> TokenStream 
                     let (__m, __modes, __prepared) = __core.loaded();
                     #survey
                 }
-
-                fn state_mut(__x: &mut #arguments, __number: __p::usize) -> &mut [T] {
-                    match __number { #(#state)* _ => &mut [] }
-                }
+                #state_mut
             }
             #plain
         }
@@ -100,7 +104,7 @@ fn data(outline: &Outline, unit: &CompiledMechanism) -> TokenStream {
             false => &unknown.unit,
         };
         let numbers = literal::index(surveyed.numbers);
-        quote!(#runtime::SurveyedUnknown { name: #name, unit: #unit, angle: #angle, numbers: #numbers })
+        quote!(#runtime::surveyed(#name, #unit, #angle, #numbers))
     });
     let repeats = unit.repeats();
     let cycle = match &unit.inputs[..] {
@@ -154,13 +158,21 @@ fn plain(outline: &Outline, unit: &CompiledMechanism) -> TokenStream {
             });
         }
     }
-    let run = match unit.coupled.is_empty() {
-        true => quote!(__read(&[])),
-        false => quote! {
-            let (__m, __modes, __prepared) = __core.loaded();
-            match (__number, __program) { #arms _ => __read(&[]) }
-        },
-    };
+    let run = (!unit.coupled.is_empty()).then(|| {
+        quote! {
+            #[inline]
+            fn run<__R>(
+                __core: &#runtime::CoreOf<Self>,
+                __number: __p::usize,
+                __program: #runtime::GroupProgram,
+                __x: [#float; #width],
+                __read: impl #runtime::FnOnce(&[#float]) -> __R,
+            ) -> __R {
+                let (__m, __modes, __prepared) = __core.loaded();
+                match (__number, __program) { #arms _ => __read(&[]) }
+            }
+        }
+    });
     let residuals = residuals(outline, unit);
     let one_input = unit.inputs.len() == 1 && !unit.groups.is_empty();
     let bounds = one_input.then(|| {
@@ -177,14 +189,7 @@ fn plain(outline: &Outline, unit: &CompiledMechanism) -> TokenStream {
     });
     quote! {
         impl #runtime::PlainGroups for #name<#float> {
-            #[inline]
-            fn run<__R>(
-                __core: &#runtime::CoreOf<Self>,
-                __number: __p::usize,
-                __program: #runtime::GroupProgram,
-                __x: [#float; #width],
-                __read: impl #runtime::FnOnce(&[#float]) -> __R,
-            ) -> __R { #run }
+            #run
             #residuals
             #bounds
         }

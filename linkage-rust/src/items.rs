@@ -106,6 +106,7 @@ fn function(
 /// The functions of the types of a function, and its methods.
 pub(crate) fn results(outline: &Outline, function: &Function) -> TokenStream {
     let mut items = TokenStream::new();
+    items.extend(result_module::import(outline, function));
     items.extend(debug::shown(outline, function));
     items.extend(evaluator::result_row(outline, function));
     items.extend(columns::items(outline, function));

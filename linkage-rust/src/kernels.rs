@@ -26,16 +26,22 @@ pub(super) fn items(
     }
     let Outline { runtime, name, .. } = outline;
     let everywhere = &attribute::split(function.attributes).everywhere;
-    let marker = stages::name(outline, function, Version::refining(function));
+    let marker = stages::name(function, Version::refining(function));
     let slots = Slots::for_stages(stages, prepare);
-    let prepare = (slots.count() > 0).then(|| slots.prepare(outline));
-    let prepared = slots.all(outline);
-    let Types {
-        modes,
-        prepared: all_prepared,
-        ..
-    } = Types::new(outline);
-    let count = literal::index(slots.count());
+    let modes = Types::new(outline).modes;
+    let prepare = slots.prepare(outline).map(|prepare| {
+        quote! {
+            #[inline(always)]
+            fn prepare<const __FUSED: __p::bool>(
+                __m: &#name<T>,
+                __modes: &#modes,
+                __turns: &#runtime::RevolutionsOf<#name<T>>,
+                __slots: &mut impl #runtime::RowNumbersMut<T>,
+            ) { #prepare }
+        }
+    });
+    let [count, all] = [slots.count(), outline.prepared].map(literal::index);
+    let used = slots.numbers();
     let dimensions = outline.scalar_fields().len();
     let arguments = Places::of_function(outline, function).width();
     let widths =
@@ -45,20 +51,8 @@ pub(super) fn items(
             #(#everywhere)*
             impl<T: #runtime::Scalar> #runtime::SetStages<#name<T>, #(#widths),*> for #marker {
                 type Prepared<const __BLOCK: __p::usize> = #runtime::Block<T, __BLOCK, #count>;
-
-                #[inline(always)]
-                fn prepare<const __FUSED: __p::bool>(
-                    __m: &#name<T>,
-                    __modes: &#modes,
-                    __turns: &#runtime::RevolutionsOf<#name<T>>,
-                    __slots: &mut impl #runtime::RowNumbersMut<T>,
-                ) { #prepare }
-
-                #[inline(always)]
-                fn prepared(__slots: &impl #runtime::RowNumbers<T>) -> #all_prepared {
-                    let __zero = T::from_f64(0.0);
-                    #prepared
-                }
+                const COLUMNS: &'static [__p::usize] = &#runtime::columns_of::<#all>(&[#(#used),*]);
+                #prepare
             }
         }
     }

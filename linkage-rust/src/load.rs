@@ -1,21 +1,14 @@
 //! The names in generated code of the numbers that a program loads. Every function that prints a
 //! program binds some of the same names: `__m` the mechanism, `__modes`, `__turns` the centres and
-//! windings of the continuous angles, `__prepared`, [`CARRIED`] with a number for each value from
-//! the stage before, and `__x` the inputs followed by the prepared states of coupled groups.
+//! windings of the continuous angles, `__prepared`, and `__x` the inputs followed by the prepared
+//! states of coupled groups. A stage has all of these in its `__core` and its `__row`.
 
-use linkage_symbolic::program::{Instruction, Program, Source};
-use proc_macro2::TokenStream;
-use quote::{ToTokens, quote};
+use linkage_symbolic::program::Source;
+use proc_macro2::{Literal, TokenStream};
+use quote::quote;
 
-use super::array_fields::entry;
 use super::literal;
 use super::outline::{Function, Outline};
-
-/// The values that a stage takes over from the one before, entry by entry.
-pub(super) const CARRIED: &str = "__carried";
-
-/// The values that a stage reads of `__x`, by their index there.
-pub(super) const INPUT: &str = "__input";
 
 /// The order of the numbers in `__x`.
 #[derive(Clone, Debug)]
@@ -64,78 +57,90 @@ impl Places {
         self.states[group].expect("a program uses only its states") + component
     }
 
-    /// The index of a number that a program loads, if the number is in `__x`.
-    fn index_of(&self, source: Source) -> Option<usize> {
-        match source {
-            Source::Input(input) => {
-                let position = self.inputs.iter().position(|i| *i == input);
-                Some(position.expect("a program uses only its inputs"))
-            }
-            Source::State(group, component) => Some(self.state(group, component)),
-            _ => None,
-        }
-    }
-
-    /// The places that a program loads, in order.
-    pub(super) fn read(&self, program: &Program) -> Vec<usize> {
-        let loads = program
-            .instructions
-            .iter()
-            .filter_map(|instruction| match instruction {
-                Instruction::Load(source) => self.index_of(*source),
-                _ => None,
-            });
-        let mut places: Vec<usize> = loads.collect();
-        places.sort_unstable();
-        places.dedup();
-        places
+    /// The index of an input in `__x`.
+    fn input(&self, input: usize) -> usize {
+        let position = self.inputs.iter().position(|i| *i == input);
+        position.expect("a program uses only its inputs")
     }
 }
 
-/// Prints loads, those of `__x` as entries of an array.
+/// Prints the loads of a program over arrays.
 pub(super) fn loader<'a>(
     outline: &'a Outline,
     places: &'a Places,
 ) -> impl Fn(Source) -> TokenStream + 'a {
-    loader_by(outline, places, |position| {
-        let position = literal::index(position);
-        quote!(__x[#position])
-    })
+    let names = Names {
+        mechanism: quote!(__m),
+        modes: quote!(__modes),
+        number: |index| quote!(__x[#index]),
+        prepared: |slot| quote!(__prepared[#slot]),
+        kept: |_| unreachable!("a program that is no stage takes nothing over"),
+    };
+    loader_by(outline, places, names, &[])
 }
 
-/// Prints loads, those of `__x` by `at`.
-pub(super) fn loader_by<'a>(
+/// Prints the loads of a stage that takes over the kept numbers `taken`.
+pub(super) fn stage_loader<'a>(
     outline: &'a Outline,
     places: &'a Places,
-    at: impl Fn(usize) -> TokenStream + 'a,
+    taken: &'a [usize],
+) -> impl Fn(Source) -> TokenStream + 'a {
+    let names = Names {
+        mechanism: quote!(__core.dimensions),
+        modes: quote!(__core.modes),
+        number: |index| quote!(__row.number(#index)),
+        prepared: |slot| quote!(__row.prepared(#slot)),
+        kept: |index| quote!(__row.kept(#index)),
+    };
+    loader_by(outline, places, names, taken)
+}
+
+/// The names of the numbers, those of lists by their index.
+struct Names {
+    mechanism: TokenStream,
+    modes: TokenStream,
+    /// Inputs and states.
+    number: fn(Literal) -> TokenStream,
+    prepared: fn(Literal) -> TokenStream,
+    kept: fn(Literal) -> TokenStream,
+}
+
+fn loader_by<'a>(
+    outline: &'a Outline,
+    places: &'a Places,
+    names: Names,
+    taken: &'a [usize],
 ) -> impl Fn(Source) -> TokenStream + 'a {
     let runtime = &outline.runtime;
     let fields = outline.scalar_fields();
-    move |source| match source {
-        Source::Parameter(index) => {
-            let field = &fields[index];
-            quote!(__m.#field)
+    move |source| {
+        let Names {
+            mechanism, modes, ..
+        } = &names;
+        match source {
+            Source::Parameter(index) => {
+                let field = &fields[index];
+                quote!(#mechanism.#field)
+            }
+            Source::Input(input) => (names.number)(literal::index(places.input(input))),
+            Source::State(group, component) => {
+                (names.number)(literal::index(places.state(group, component)))
+            }
+            Source::Limit => quote!(T::from_f64(T::CORRECTION_LIMIT)),
+            Source::Mode(mode) => {
+                let mode = literal::index(mode);
+                quote!(T::from_f64(#runtime::AssemblyMode::sign(#modes[#mode])))
+            }
+            Source::Centre(angle) => {
+                let angle = literal::index(angle);
+                quote!(__turns.centres[#angle])
+            }
+            Source::Winding(angle, input) => {
+                let (angle, input) = (literal::index(angle), literal::index(input));
+                quote!(__turns.windings[#angle][#input])
+            }
+            Source::Prepared(slot) => (names.prepared)(literal::index(slot)),
+            Source::Carried(index) => (names.kept)(literal::index(taken[index])),
         }
-        Source::Input(_) | Source::State(..) => at(places
-            .index_of(source)
-            .expect("inputs and states stand there")),
-        Source::Limit => quote!(T::from_f64(T::CORRECTION_LIMIT)),
-        Source::Mode(mode) => {
-            let mode = literal::index(mode);
-            quote!(T::from_f64(#runtime::AssemblyMode::sign(__modes[#mode])))
-        }
-        Source::Centre(angle) => {
-            let angle = literal::index(angle);
-            quote!(__turns.centres[#angle])
-        }
-        Source::Winding(angle, input) => {
-            let (angle, input) = (literal::index(angle), literal::index(input));
-            quote!(__turns.windings[#angle][#input])
-        }
-        Source::Prepared(slot) => {
-            let slot = literal::index(slot);
-            quote!(__prepared[#slot])
-        }
-        Source::Carried(index) => entry(CARRIED, index).into_token_stream(),
     }
 }

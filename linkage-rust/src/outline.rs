@@ -176,7 +176,7 @@ impl<'a> Outline<'a> {
             visibility: &def.visibility,
             name: &def.name,
             assembly: format_ident!("{}{ASSEMBLY}", def.name),
-            core: format_ident!("__{}Core", def.name, span = Span::call_site()),
+            core: format_ident!("__Core", span = Span::call_site()),
             parameters: Vec::new(),
             inputs: Vec::new(),
             functions: Vec::new(),

@@ -26,19 +26,12 @@ fn module(outline: &Outline, function: &Function) -> Option<Ident> {
     })
 }
 
-/// The result type of a function, for items outside of its module.
-pub(super) fn result(outline: &Outline, function: &Function) -> TokenStream {
-    path(outline, function, function.result)
-}
-
-/// The type of its columns, for items outside of its module.
-pub(super) fn columns(outline: &Outline, function: &Function) -> TokenStream {
-    path(outline, function, &function.columns)
-}
-
-fn path(outline: &Outline, function: &Function, name: &Ident) -> TokenStream {
-    let module = module(outline, function).map(|module| quote!(#module::));
-    quote!(#module #name)
+/// The import of the types into the block around code, which so never uses those of the module of
+/// the call.
+pub(super) fn import(outline: &Outline, function: &Function) -> Option<TokenStream> {
+    let module = module(outline, function)?;
+    let everywhere = &attribute::split(function.attributes).everywhere;
+    Some(quote!(#(#everywhere)* use #module::*;))
 }
 
 /// The items of a function's types, and the import of these.

@@ -3,11 +3,10 @@
 use linkage_symbolic::passes::stages::{Stage, memory};
 use linkage_symbolic::program::Value;
 use proc_macro2::{Ident, Span, TokenStream};
-use quote::{ToTokens, format_ident, quote};
+use quote::{format_ident, quote};
 
-use super::array_fields::entry;
 use super::body::{self, Runs};
-use super::load::{CARRIED, INPUT, Places, loader_by};
+use super::load::{Places, stage_loader};
 use super::outline::{Function, Outline};
 use super::{attribute, literal};
 use linkage_compiler::ir::Body;
@@ -43,13 +42,9 @@ impl Version {
 }
 
 /// The type that stands for a program of a function.
-pub(super) fn name(outline: &Outline, function: &Function, version: Version) -> Ident {
+pub(super) fn name(function: &Function, version: Version) -> Ident {
     let (name, word) = (function.name, version.word());
-    format_ident!(
-        "__{}_{name}{word}_stages",
-        outline.name,
-        span = Span::call_site()
-    )
+    format_ident!("__{name}{word}_stages", span = Span::call_site())
 }
 
 /// The runtime's `Staged` of a program, and each of its stages.
@@ -72,7 +67,7 @@ pub(super) fn items(
     let staged = Staged {
         outline,
         function,
-        name: name(outline, function, version),
+        name: name(function, version),
         runs,
     };
     let name = &staged.name;
@@ -132,17 +127,8 @@ impl Staged<'_> {
         } = stage;
         let everywhere = &attribute::split(function.attributes).everywhere;
         let places = Places::of_function(outline, function);
-        let input = |index| entry(INPUT, index).into_token_stream();
-        let load = loader_by(outline, &places, input);
+        let load = stage_loader(outline, &places, taken);
         let statements = body::statements(program, *runs, &load);
-        let read = places.read(program).into_iter().map(|index| {
-            let (name, index) = (entry(INPUT, index), literal::index(index));
-            quote!(let #name = __row.number(#index);)
-        });
-        let take = taken.iter().enumerate().map(|(value, &index)| {
-            let (name, index) = (entry(CARRIED, value), literal::index(index));
-            quote!(let #name = __row.kept(#index);)
-        });
         let (next, finished) = program.outputs.split_at(kept.len());
         let put = |method: &str, values: &[Value], indices: &[usize]| -> TokenStream {
             let method = format_ident!("{method}");
@@ -155,6 +141,12 @@ impl Staged<'_> {
         let keep = put("keep", next, kept);
         let finish = put("finish", finished, results);
         let written = results.iter().map(|&result| literal::index(result));
+        let write = (!results.is_empty()).then(|| {
+            quote! {
+                #[inline(always)]
+                fn write(__rows: &mut impl #runtime::FinishedRows) { #(__rows.write(#written);)* }
+            }
+        });
         let number = literal::index(number);
         quote! {
             #(#everywhere)*
@@ -164,16 +156,11 @@ impl Staged<'_> {
                     __core: &#core<T>,
                     __row: &mut impl #runtime::StageRow<T>,
                 ) {
-                    let (__m, __modes, __prepared) = __core.loaded();
-                    #(#read)*
-                    #(#take)*
                     #statements
                     #keep
                     #finish
                 }
-
-                #[inline(always)]
-                fn write(__rows: &mut impl #runtime::FinishedRows) { #(__rows.write(#written);)* }
+                #write
             }
         }
     }

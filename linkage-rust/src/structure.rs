@@ -16,16 +16,16 @@ pub(super) fn literal(outline: &Outline, unit: &CompiledMechanism) -> TokenStrea
     let functions = outline.functions.iter().zip(&unit.functions);
     let functions = functions.map(|(function, compiled)| {
         let name = plain(function.name);
-        let operations = count::literal(&outline.runtime, &compiled.called.count);
-        quote!(#runtime::FunctionInfo { name: #name, operations: #operations })
+        let operations = count::literal(&compiled.called.count);
+        quote!(#runtime::function(#name, #operations))
     });
-    let prepare = count::literal(&outline.runtime, &Count::of_program(&unit.prepare));
+    let prepare = count::literal(&Count::of_program(&unit.prepare));
     quote! {
         #runtime::Structure {
             mobility: #mobility,
             groups: &[#(#groups),*],
             functions: &[#(#functions),*],
-            prepare: #prepare,
+            prepare: #runtime::operations(#prepare),
         }
     }
 }

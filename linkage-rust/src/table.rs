@@ -5,7 +5,7 @@ use proc_macro2::TokenStream;
 use quote::quote;
 
 use super::outline::{Function, Outline, plain};
-use super::{attribute, literal, result_module};
+use super::{attribute, literal};
 use linkage_compiler::ir::{Column, Meaning};
 
 /// The trait for the columns of a function; nothing for a function without arguments.
@@ -14,7 +14,7 @@ pub(super) fn items(outline: &Outline, function: &Function, columns: &[Column]) 
         return TokenStream::new();
     }
     let runtime = &outline.runtime;
-    let ty = result_module::columns(outline, function);
+    let ty = &function.columns;
     let name = plain(function.name);
     let arguments = function.arguments.iter().map(|argument| plain(argument));
     let first = columns

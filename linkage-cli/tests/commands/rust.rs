@@ -32,8 +32,8 @@ fn features_choose_items_and_mistakes_print_nothing() {
     let has = |text: &str| {
         [
             "fn stroke(",
-            "fn stroke_sweep(",
-            "fn stroke_sweep_parallel_into(",
+            "stroke_sweep,",
+            "stroke_sweep_parallel_into]",
             "for StrokeColumns",
         ]
         .map(|item| text.contains(item) || text.contains(&item.replace("for ", "::")))

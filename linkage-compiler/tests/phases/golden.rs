@@ -3,6 +3,8 @@
 //! `UPDATE=1 cargo test -p linkage-compiler --test phases golden` writes them anew; read the difference before you commit it.
 
 mod brief;
+mod features;
+mod sample;
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -12,6 +14,10 @@ use proc_macro2::TokenStream;
 use quote::quote;
 
 use self::brief::brief;
+use self::sample::Sample;
+
+/// The mechanism whose generated items are shown as a whole.
+const SAMPLE: &str = "crank_rocker";
 
 fn folder() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/golden")
@@ -64,12 +70,17 @@ fn check(name: &str) {
     let front = front.map(|(phase, text)| format!("== {phase}\n\n{}\n", text.trim_end()));
     compare(name, "1-front", &front.join("\n"));
     compare(name, "5-lower", &lower);
-    compare(name, "6-emit", &brief(&printed(read(name))));
+    let sample = (name != SAMPLE).then(|| Sample::new(&printed(read(SAMPLE))));
+    compare(
+        name,
+        "6-emit",
+        &brief(&printed(read(name)), sample.as_ref()),
+    );
 }
 
 #[test]
 fn crank_rocker() {
-    check("crank_rocker");
+    check(SAMPLE);
 }
 
 #[test]
@@ -116,11 +127,11 @@ fn machine() {
 /// What each pass makes of each function: programs are written where a pass changed something.
 #[test]
 fn passes() {
-    let passes = trace(read("crank_rocker")).passes;
+    let passes = trace(read(SAMPLE)).passes;
     let texts = passes
         .iter()
         .map(|(function, pass, program)| format!("function {function}, {pass}\n{program}\n"));
-    compare("crank_rocker", "5-passes", &texts.collect::<String>());
+    compare(SAMPLE, "5-passes", &texts.collect::<String>());
 }
 
 /// Equal input gives equal output, whatever ran before in this process.

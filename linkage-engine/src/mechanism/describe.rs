@@ -37,6 +37,7 @@ pub(super) fn description(
         groups,
         needed: forever(needed.copied().collect::<Vec<_>>()),
         gap_units: forever(units.collect::<Vec<_>>()),
+        prepared: unit.slots(),
         modes: forever(modes.collect::<Vec<_>>()),
         angles: angles(unit),
     }

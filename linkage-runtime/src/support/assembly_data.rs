@@ -1,5 +1,7 @@
 //! The data of an assembly, in fields that the module of the mechanism cannot reach.
 
+use super::stages::StageData;
+
 /// Data that are prepared once and only read afterwards: nobody can change one part and leave the
 /// others as they were.
 ///
@@ -43,6 +45,13 @@ pub struct Core<D, M, R, P> {
     pub revolutions: R,
     /// The numbers that depend on all these alone.
     pub prepared: P,
+}
+
+impl<T, D, M, R, P: AsRef<[T]>> StageData<T> for Core<D, M, R, P> {
+    #[inline(always)]
+    fn prepared(&self) -> &[T] {
+        self.prepared.as_ref()
+    }
 }
 
 impl<D, M, R, P> Core<D, M, R, P> {

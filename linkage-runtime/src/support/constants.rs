@@ -2,7 +2,9 @@
 
 use linkage_core::Meaning;
 
+use super::evaluation::FunctionNames;
 use crate::data::{Operations, Parameter};
+use crate::structure::FunctionInfo;
 use crate::table::Column;
 
 /// A scalar parameter.
@@ -34,6 +36,27 @@ pub const fn operations(counts: [u32; 7]) -> Operations {
         sin_cos,
         atan2,
         other,
+    }
+}
+
+/// A function with its operation counts, in the order of [`operations`].
+#[must_use]
+pub const fn function(name: &'static str, counts: [u32; 7]) -> FunctionInfo {
+    FunctionInfo {
+        name,
+        operations: operations(counts),
+    }
+}
+
+/// The names of a function and of its arguments.
+#[must_use]
+pub const fn function_names<const I: usize>(
+    function: &'static str,
+    arguments: [&'static str; I],
+) -> FunctionNames<I> {
+    FunctionNames {
+        function,
+        arguments,
     }
 }
 

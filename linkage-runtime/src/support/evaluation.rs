@@ -6,7 +6,7 @@ use linkage_core::Scalar;
 
 use super::assembly_data::AssemblyData;
 use super::dispatch::{DataFunction, dispatch_function, inlined_function};
-use super::stages::{Staged, once};
+use super::stages::{StageData, Staged, once};
 use crate::result_row::ResultRow;
 
 /// The names of a function and of its arguments, for panics.
@@ -80,6 +80,7 @@ impl<T, C, S, R, const I: usize, const N: usize, const W: usize>
     DataFunction<AssemblyData<C, S>, T, R, I> for FunctionCall<R, N, W>
 where
     T: Scalar,
+    C: StageData<T>,
     R: Function<T, C, S, I, N, W>,
 {
     #[inline(always)]
@@ -101,6 +102,7 @@ pub fn evaluate<P, Q, R, T, C, const FUSED: bool, const N: usize, const W: usize
 ) -> R
 where
     T: Scalar,
+    C: StageData<T>,
     P: Staged<T, C, N, W>,
     Q: Staged<T, C, N, W>,
     R: ResultRow<T, W>,
@@ -120,6 +122,7 @@ pub fn call<R, T, C, S, const I: usize, const N: usize, const W: usize>(
 ) -> R
 where
     T: Scalar,
+    C: StageData<T>,
     R: Function<T, C, S, I, N, W>,
 {
     dispatch_function::<FunctionCall<R, N, W>, AssemblyData<C, S>, T, R, I>(data, arguments)
@@ -134,6 +137,7 @@ pub fn call_inlined<R, T, C, S, const I: usize, const N: usize, const W: usize>(
 ) -> R
 where
     T: Scalar,
+    C: StageData<T>,
     R: Function<T, C, S, I, N, W>,
 {
     inlined_function::<FunctionCall<R, N, W>, AssemblyData<C, S>, T, R, I>(data, arguments)

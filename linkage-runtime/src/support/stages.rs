@@ -11,9 +11,48 @@ pub trait RowNumbers<T> {
     fn number(&self, k: usize) -> T;
 }
 
+/// The numbers of a row, to write to.
+pub trait RowNumbersMut<T> {
+    /// Changes number `k`.
+    fn put(&mut self, k: usize, value: T);
+}
+
+impl<T, const N: usize> RowNumbersMut<T> for [T; N] {
+    #[inline(always)]
+    fn put(&mut self, k: usize, value: T) {
+        self[k] = value;
+    }
+}
+
+#[cfg(feature = "alloc")]
+impl<T> RowNumbersMut<T> for alloc::vec::Vec<T> {
+    fn put(&mut self, k: usize, value: T) {
+        self[k] = value;
+    }
+}
+
+/// The data that a stage reads: those of an assembly, or others without prepared numbers.
+pub trait StageData<T> {
+    /// The numbers that are prepared once for many rows.
+    #[inline(always)]
+    fn prepared(&self) -> &[T] {
+        &[]
+    }
+}
+
+impl<T, C: StageData<T>> StageData<T> for &C {
+    #[inline(always)]
+    fn prepared(&self) -> &[T] {
+        C::prepared(self)
+    }
+}
+
 /// A row as a stage reads and writes it: its numbers are the arguments of the function, which are
 /// inputs, other arguments and states.
 pub trait StageRow<T>: RowNumbers<T> {
+    /// Prepared number `k`.
+    fn prepared(&self, k: usize) -> T;
+
     /// Number `k` that an earlier stage has kept.
     fn kept(&self, k: usize) -> T;
 
@@ -36,8 +75,9 @@ pub trait Stage<T, C, const K: usize> {
     /// `ROWS` for rows side by side.
     fn row<const FUSED: bool, const ROWS: bool>(core: &C, row: &mut impl StageRow<T>);
 
-    /// Writes the results that the stage finishes.
-    fn write(rows: &mut impl FinishedRows);
+    /// Writes the results that the stage finishes; there are none unless it is written out.
+    #[inline(always)]
+    fn write(_rows: &mut impl FinishedRows) {}
 }
 
 /// A function of an assembly with the data `C`, as its stages: `N` arguments to `W` numbers.
@@ -124,6 +164,7 @@ pub fn once<F, T, C, const FUSED: bool, const N: usize, const W: usize>(
 where
     F: Staged<T, C, N, W>,
     T: Scalar,
+    C: StageData<T>,
 {
     let zero = T::from_f64(0.0);
     let mut once = Once::<T, C, F::Memory<1>, FUSED, N, W> {
@@ -157,8 +198,14 @@ impl<T, C, M, const FUSED: bool, const N: usize, const W: usize> StageRow<T>
     for Once<'_, T, C, M, FUSED, N, W>
 where
     T: Copy,
+    C: StageData<T>,
     M: Memory<T>,
 {
+    #[inline(always)]
+    fn prepared(&self, k: usize) -> T {
+        self.core.prepared()[k]
+    }
+
     #[inline(always)]
     fn kept(&self, k: usize) -> T {
         self.memory.number(k, 0)
@@ -179,6 +226,7 @@ impl<T, C, F, M, const FUSED: bool, const N: usize, const W: usize> RunStages<T,
     for Once<'_, T, C, M, FUSED, N, W>
 where
     T: Copy,
+    C: StageData<T>,
     M: Memory<T>,
 {
     #[inline(always)]

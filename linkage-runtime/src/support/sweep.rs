@@ -32,4 +32,4 @@ pub use over_inputs::{Slices, sweep, sweep_into};
 #[cfg(feature = "rayon")]
 pub use over_sets::sweep_sets_parallel_into;
 pub use over_sets::{sweep_sets, sweep_sets_into};
-pub use staged::{OverInputs, RowNumbersMut, SetStages};
+pub use staged::{OverInputs, SetStages, columns_of};

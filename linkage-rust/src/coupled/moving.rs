@@ -66,6 +66,7 @@ pub(super) fn items(outline: &Outline) -> TokenStream {
             __modes: #modes,
             __turns: #runtime::Turns<#float, #angles, #inputs>,
         }
+        impl #runtime::StageData<#float> for #moving {}
         #(#kernels)*
         impl #runtime::Moving<#parameters, #width> for #moving {
             const GROUPS: &'static [#runtime::CoupledGroup] = {
@@ -130,7 +131,7 @@ fn kernel(outline: &Outline, number: usize, outputs: usize) -> TokenStream {
     });
     let found = entries("__found", outputs);
     let columns: Vec<_> = (0..outputs).map(literal::index).collect();
-    let outputs = literal::index(outputs);
+    let [outputs, prepared] = [outputs, outline.prepared].map(literal::index);
     quote! {
         struct #kernel;
         impl<'a> #runtime::Staged<#float, &'a #moving, #width, #outputs> for #kernel {
@@ -150,7 +151,8 @@ fn kernel(outline: &Outline, number: usize, outputs: usize) -> TokenStream {
             ) {
                 let #moving { __modes, __turns, .. } = *__moving;
                 let __m: #name<#float> = __of(|__k| __row.number(__k));
-                let __prepared = #runtime::Compiled::prepare::<__FUSED>(&__m, __modes, __turns);
+                let mut __prepared = [0.0; #prepared];
+                #runtime::Compiled::prepare::<__FUSED>(&__m, __modes, __turns, &mut __prepared);
                 let [#(#found),*] = #assembly::<#float>::#method::<__FUSED>(
                     &__m, __modes, &__prepared, [#(#arguments),*],
                 );
@@ -174,7 +176,7 @@ fn of_function(outline: &Outline, function: &Function) -> TokenStream {
         core,
         ..
     } = outline;
-    let stages = stages::name(outline, function, Version::refining(function));
+    let stages = stages::name(function, Version::refining(function));
     let everywhere = &attribute::split(function.attributes).everywhere;
     let moving = moving_name(outline);
     let all = Places::all(outline);

@@ -17,7 +17,7 @@ pub(super) fn items(outline: &Outline, function: &Function) -> TokenStream {
         return TokenStream::new();
     }
     let runtime = &outline.runtime;
-    let name = stages::name(outline, function, Version::Called);
+    let name = stages::name(function, Version::Called);
     let everywhere = &attribute::split(function.attributes).everywhere;
     let (initial, fused) = (quote!(__initial), quote!(__FUSED));
     let (looked_up, states) = look_up(

@@ -7,7 +7,7 @@ use crate::docs::doc;
 use crate::load::Places;
 use crate::outline::{Function, Outline, plain};
 use crate::stages::Version;
-use crate::{assembly_data, attribute, literal, result_module, stages};
+use crate::{assembly_data, attribute, literal, stages};
 use linkage_language::model::FOLLOWER;
 
 /// The name of the follower's type.
@@ -24,7 +24,7 @@ pub(super) fn method(outline: &Outline, function: &Function) -> TokenStream {
     let follower = follower_name(outline);
     let everywhere = &attribute::split(function.attributes).everywhere;
     let others = others(outline, function);
-    let result = result_module::result(outline, function);
+    let result = function.result;
     let doc = doc(&format!(
         "As `{}` of the assembly, where the follower stands.",
         plain(name)
@@ -72,9 +72,9 @@ pub(super) fn single_of(outline: &Outline, function: &Function, version: Version
     });
     let arguments = quote!([#(#arguments,)* #(#states),*]);
     let core = assembly_data::core(outline, &quote!(__assembly));
-    let [plain, refining] = [version, Version::refining(function)]
-        .map(|version| stages::name(outline, function, version));
-    let result = result_module::result(outline, function);
+    let [plain, refining] =
+        [version, Version::refining(function)].map(|version| stages::name(function, version));
+    let result = function.result;
     let others = others(outline, function);
     let count = literal::index(others.len());
     quote! {

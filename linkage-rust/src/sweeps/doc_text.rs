@@ -4,19 +4,6 @@ use super::super::outline::{Outline, plain};
 use linkage_language::model::Sweep;
 use linkage_language::syntax::Word;
 
-/// The text that follows the name of the function.
-pub(super) fn summary(sweep: Sweep) -> &'static str {
-    match sweep {
-        Sweep::Owned => "at many positions",
-        Sweep::Into => "at many positions, into columns that are there",
-        Sweep::Slices => "at many positions, into slices",
-        Sweep::ParallelInto => "at many positions, on all threads",
-        Sweep::Sets => "for many mechanisms",
-        Sweep::SetsInto => "for many mechanisms, into columns that are there",
-        Sweep::SetsParallelInto => "for many mechanisms, on all threads",
-    }
-}
-
 /// The part of the assembly's docs that all its sweeps lead to; nothing if there are none.
 pub(in super::super) fn about(outline: &Outline) -> String {
     let mut functions = outline.functions.iter();

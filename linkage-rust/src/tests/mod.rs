@@ -55,8 +55,8 @@ fn the_surface_is_complete() {
             "kind: \"RRP\",",
             "pub struct Turning<T = ::core::primitive::f64> {",
             "pub v: [::linkage::__private::Vector2<T>; 2],",
-            "pub fn path(&self, phi: T) -> __SliderCrank_path::Path<T> {",
-            "pub fn fixed(&self) -> __SliderCrank_fixed::Fixed<T> {",
+            "pub fn path(&self, phi: T) -> Path<T> {",
+            "pub fn fixed(&self) -> Fixed<T> {",
         ],
     );
 }
@@ -71,9 +71,11 @@ fn an_argument_may_be_called_columns() {
     let Sample { mut def, unit } = slider_crank();
     def.functions[0].inputs = vec![quote::format_ident!("columns")];
     let text = emit(&quote!(::linkage), &def, &unit, &|_, _| String::new()).to_string();
-    let arguments =
-        quote!((&self, columns: &[T], __columns: &mut __SliderCrank_path::PathColumns<T>));
-    assert_contains(&text, &[&arguments.to_string()]);
+    let sweeps = quote! {
+        (pub) "path" (columns) -> PathColumns of [Path; 3] by sweeps,
+        [path_sweep, path_sweep_into, path_sweep_slices, path_sweep_parallel_into], [__columns, slices]
+    };
+    assert_contains(&text, &[&sweeps.to_string()]);
 }
 
 #[test]
@@ -202,7 +204,7 @@ fn the_skeleton_has_the_same_items() {
             "pub crank: T,",
             "pub a: ::linkage::__private::Vector2<T>,",
             "pub s: T,",
-            "pub fn path(&self, phi: T) -> __SliderCrank_path::Path<T> {\n            ::core::unimplemented!",
+            "pub fn path(&self, phi: T) -> Path<T> {\n            ::core::unimplemented!",
         ],
     );
     let known = pretty(skeleton(&quote!(::linkage), &def, Some(&mechanism)));
@@ -233,7 +235,7 @@ fn the_skeleton_has_a_follower_if_there_are_several_inputs() {
         "pub fn follower(&self, phi: T, theta: T)",
         "pub fn follow(&mut self, phi: T, theta: T)",
         "pub fn inputs(&self) -> [T; 2] { ::core::unimplemented!",
-        "pub fn path(&self,) -> __Rocker_path::Path<T> { ::core::unimplemented!",
+        "pub fn path(&self,) -> Path<T> { ::core::unimplemented!",
     ];
     let pieces = pieces.map(packed);
     assert_contains(&several, &pieces.each_ref().map(String::as_str));

@@ -193,24 +193,9 @@ const _: () = {
                 },
             ],
             functions: &[
-                __p::FunctionInfo {
-                    name: "stroke",
-                    operations: __p::operations([
-                        9u32, 11u32, 1u32, 1u32, 1u32, 0u32, 3u32,
-                    ]),
-                },
-                __p::FunctionInfo {
-                    name: "accuracy",
-                    operations: __p::operations([
-                        7u32, 12u32, 1u32, 1u32, 1u32, 0u32, 4u32,
-                    ]),
-                },
-                __p::FunctionInfo {
-                    name: "shape",
-                    operations: __p::operations([
-                        5u32, 4u32, 0u32, 1u32, 1u32, 0u32, 1u32,
-                    ]),
-                },
+                __p::function("stroke", [9u32, 11u32, 1u32, 1u32, 1u32, 0u32, 3u32]),
+                __p::function("accuracy", [7u32, 12u32, 1u32, 1u32, 1u32, 0u32, 4u32]),
+                __p::function("shape", [5u32, 4u32, 0u32, 1u32, 1u32, 0u32, 1u32]),
             ],
             prepare: __p::operations([1u32, 3u32, 4u32, 0u32, 0u32, 0u32, 4u32]),
         };
@@ -311,7 +296,7 @@ const _: () = {
     fn __values<T: __p::Scalar>(__mechanism: &SliderCrank<T>) -> [T; 3] {
         [__mechanism.crank, __mechanism.rod, __mechanism.offset]
     }
-    type __SliderCrankCore<T> = __p::Core<
+    type __Core<T> = __p::Core<
         SliderCrank<T>,
         [__p::AssemblyMode; 1],
         __p::Turns<T, 0, 1>,
@@ -337,12 +322,16 @@ const _: () = {
         ///
         /// Says which loop cannot close and by how much it misses, or has no finite solution, or which angle cannot be
         /// followed through the range.
-        #[doc(alias = "stroke")]
-        #[doc(alias = "stroke_sweep")]
-        #[doc(alias = "accuracy")]
-        #[doc(alias = "accuracy_sweep")]
-        #[doc(alias = "shape")]
-        #[doc(alias = "shape_sweep")]
+        #[doc(
+            alias(
+                "stroke",
+                "stroke_sweep",
+                "accuracy",
+                "accuracy_sweep",
+                "shape",
+                "shape_sweep"
+            )
+        )]
         pub fn assemble(
             &self,
         ) -> __p::Result<SliderCrankAssembly<T>, __p::AssemblyError> {
@@ -408,6 +397,7 @@ const _: () = {
                     groups: SliderCrank::<__p::f64>::STRUCTURE.groups,
                     needed: &[0, 1, 2],
                     gap_units: &["mm"],
+                    prepared: 9,
                     modes: &[__p::AssemblyMode::Minus],
                     angles: &[],
                 }
@@ -443,7 +433,8 @@ const _: () = {
             &self,
             __modes: &[__p::AssemblyMode; 1],
             __turns: &__p::RevolutionsOf<Self>,
-        ) -> [T; 9] {
+            __slots: &mut impl __p::RowNumbersMut<T>,
+        ) {
             let __m = self;
             let __v0 = T::from_f64(__p::AssemblyMode::sign(__modes[0]));
             let __v1 = T::from_f64(1.7976931348623157e308f64);
@@ -462,7 +453,15 @@ const _: () = {
             let __v14 = __v6 * __v6;
             let __v15 = __v10 / __v14;
             let __v16 = -__v12;
-            [__v0, __v6, __v7, __v9, __v11, __v12, __v13, __v15, __v16]
+            __slots.put(0, __v0);
+            __slots.put(1, __v6);
+            __slots.put(2, __v7);
+            __slots.put(3, __v9);
+            __slots.put(4, __v11);
+            __slots.put(5, __v12);
+            __slots.put(6, __v13);
+            __slots.put(7, __v15);
+            __slots.put(8, __v16);
         }
         fn gaps(
             &self,
@@ -525,18 +524,8 @@ const _: () = {
                     coupled: &[],
                     surveying: 0,
                     unknowns: &[
-                        __p::SurveyedUnknown {
-                            name: "theta",
-                            unit: "",
-                            angle: true,
-                            numbers: 2,
-                        },
-                        __p::SurveyedUnknown {
-                            name: "slide",
-                            unit: "mm",
-                            angle: false,
-                            numbers: 1,
-                        },
+                        __p::surveyed("theta", "", true, 2),
+                        __p::surveyed("slide", "mm", false, 1),
                     ],
                     repeats: true,
                     cycle: __p::Some(__p::Cycle {
@@ -583,23 +572,8 @@ const _: () = {
             let __v27 = T::mul_add::<__FUSED>(-__v26, __v16, __v13);
             [__v18, __v20, __v22, __v25, __v27]
         }
-        fn state_mut(__x: &mut [T; 1], __number: __p::usize) -> &mut [T] {
-            match __number {
-                _ => &mut [],
-            }
-        }
     }
     impl __p::PlainGroups for SliderCrank<__p::f64> {
-        #[inline]
-        fn run<__R>(
-            __core: &__p::CoreOf<Self>,
-            __number: __p::usize,
-            __program: __p::GroupProgram,
-            __x: [__p::f64; 1],
-            __read: impl __p::FnOnce(&[__p::f64]) -> __R,
-        ) -> __R {
-            __read(&[])
-        }
         #[inline]
         fn bounds(
             __data: &__p::DataOf<Self>,
@@ -635,7 +609,8 @@ const _: () = {
             __p::check_range_of::<SliderCrank<__p::f64>>(self)
         }
     }
-    impl<T: __p::Scalar> __p::ResultRow<T, 3> for __SliderCrank_stroke::Stroke<T> {
+    use __SliderCrank_stroke::*;
+    impl<T: __p::Scalar> __p::ResultRow<T, 3> for Stroke<T> {
         #[inline(always)]
         fn from_row([__row0, __row1, __row2]: [T; 3]) -> Self {
             Self {
@@ -649,20 +624,10 @@ const _: () = {
             [self.slide, self.v, self.a]
         }
     }
-    #[automatically_derived]
-    impl<T> ::core::default::Default for __SliderCrank_stroke::StrokeColumns<T> {
-        fn default() -> Self {
-            Self(::core::default::Default::default())
-        }
+    __p::columns! {
+        StrokeColumns of[Stroke; 3]
     }
-    #[automatically_derived]
-    impl<T> ::core::ops::Deref for __SliderCrank_stroke::StrokeColumns<T> {
-        type Target = __p::ResultColumns<T, __SliderCrank_stroke::Stroke<T>, 3>;
-        fn deref(&self) -> &Self::Target {
-            &self.0
-        }
-    }
-    impl<T: __p::Scalar> __SliderCrank_stroke::StrokeColumns<T> {
+    impl<T: __p::Scalar> StrokeColumns<T> {
         /// Empty columns; nothing is allocated before the first sweep.
         #[must_use]
         pub fn new() -> Self {
@@ -694,120 +659,80 @@ const _: () = {
         /// Operations: 9 additions, 11 multiplications, 1 division, 1 square root, 1 sine-cosine pair, 3 others.
         #[must_use]
         #[inline]
-        pub fn stroke(&self, phi: T) -> __SliderCrank_stroke::Stroke<T> {
+        pub fn stroke(&self, phi: T) -> Stroke<T> {
             __p::call(&self.__sealed, [phi])
         }
-        #[must_use]
-        /// `stroke` at many positions: see [sweeps](Self#sweeps).
-        pub fn stroke_sweep(&self, phi: &[T]) -> __SliderCrank_stroke::StrokeColumns<T> {
-            __SliderCrank_stroke::StrokeColumns(__p::sweep(&self.__sealed, [phi]))
+        __p::sweeps! {
+            (pub) "stroke"(phi) -> StrokeColumns of[Stroke; 3] by sweeps, [stroke_sweep,
+            stroke_sweep_into, stroke_sweep_slices, stroke_sweep_parallel_into],
+            [columns, slices]
         }
-        /// `stroke` at many positions, into columns that are there: see [sweeps](Self#sweeps).
-        pub fn stroke_sweep_into(
-            &self,
-            phi: &[T],
-            columns: &mut __SliderCrank_stroke::StrokeColumns<T>,
-        ) {
-            __p::sweep_into(&self.__sealed, [phi], &mut columns.0);
-        }
-        /// `stroke` at many positions, into slices: see [sweeps](Self#sweeps).
-        pub fn stroke_sweep_slices(&self, phi: &[T], slices: [&mut [T]; 3]) {
-            __p::Slices::<
-                __SliderCrank_stroke::Stroke<T>,
-            >::sweep(&self.__sealed, [phi], slices);
-        }
-        #[must_use]
-        /// `stroke` for many mechanisms: see [sweeps](Self#sweeps).
-        pub fn stroke_sweep_sets(
-            &self,
-            sets: &[SliderCrank<T>],
-            phi: &[T],
-        ) -> __SliderCrank_stroke::StrokeColumns<T> {
-            __SliderCrank_stroke::StrokeColumns(
-                __p::sweep_sets(&self.__sealed, sets, [phi]),
-            )
-        }
-        /// `stroke` for many mechanisms, into columns that are there: see [sweeps](Self#sweeps).
-        pub fn stroke_sweep_sets_into(
-            &self,
-            sets: &[SliderCrank<T>],
-            phi: &[T],
-            columns: &mut __SliderCrank_stroke::StrokeColumns<T>,
-        ) {
-            __p::sweep_sets_into(&self.__sealed, sets, [phi], &mut columns.0);
+        __p::set_sweeps! {
+            (pub) "stroke"(phi) -> StrokeColumns of SliderCrank by sweeps,
+            [stroke_sweep_sets, stroke_sweep_sets_into, stroke_sweep_sets_parallel_into],
+            [sets, columns]
         }
     }
     #[doc(hidden)]
-    impl<T: __p::Scalar> __p::Function<T, __SliderCrankCore<T>, (), 1, 1, 3>
-    for __SliderCrank_stroke::Stroke<T> {
-        type Called = __SliderCrank_stroke_stages;
-        type Refining = __SliderCrank_stroke_stages;
+    impl<T: __p::Scalar> __p::Function<T, __Core<T>, (), 1, 1, 3> for Stroke<T> {
+        type Called = __stroke_stages;
+        type Refining = __stroke_stages;
         type States = __p::NoStates;
-        const NAMES: &'static __p::FunctionNames<1> = &__p::FunctionNames {
-            function: "stroke",
-            arguments: ["phi"],
-        };
+        const NAMES: &'static __p::FunctionNames<1> = &__p::function_names(
+            "stroke",
+            ["phi"],
+        );
     }
     #[doc(hidden)]
-    pub struct __SliderCrank_stroke_stages;
-    impl<T: __p::Scalar> __p::Staged<T, __SliderCrankCore<T>, 1, 3>
-    for __SliderCrank_stroke_stages {
+    pub struct __stroke_stages;
+    impl<T: __p::Scalar> __p::Staged<T, __Core<T>, 1, 3> for __stroke_stages {
         const WIDE: __p::bool = !::core::cfg!(debug_assertions);
         type Memory<const __BLOCK: __p::usize> = __p::Block<T, __BLOCK, 2>;
         #[inline(always)]
-        fn run(__stages: &mut impl __p::RunStages<T, __SliderCrankCore<T>, Self>) {
+        fn run(__stages: &mut impl __p::RunStages<T, __Core<T>, Self>) {
             __stages.stage::<0>();
             __stages.stage::<1>();
         }
     }
-    impl<T: __p::Scalar> __p::Stage<T, __SliderCrankCore<T>, 0>
-    for __SliderCrank_stroke_stages {
+    impl<T: __p::Scalar> __p::Stage<T, __Core<T>, 0> for __stroke_stages {
         #[inline(always)]
         fn row<const __FUSED: __p::bool, const __ROWS: __p::bool>(
-            __core: &__SliderCrankCore<T>,
+            __core: &__Core<T>,
             __row: &mut impl __p::StageRow<T>,
         ) {
-            let (__m, __modes, __prepared) = __core.loaded();
-            let __input0 = __row.number(0);
-            let __v0 = __input0;
+            let __v0 = __row.number(0);
             let (__v1, __v2) = T::sin_cos_shortest::<__FUSED, __ROWS>(__v0);
-            let __v3 = __m.crank;
+            let __v3 = __core.dimensions.crank;
             let __v4 = __v3 * __v2;
             __row.keep(0, __v1);
             __row.keep(1, __v4);
         }
-        #[inline(always)]
-        fn write(__rows: &mut impl __p::FinishedRows) {}
     }
-    impl<T: __p::Scalar> __p::Stage<T, __SliderCrankCore<T>, 1>
-    for __SliderCrank_stroke_stages {
+    impl<T: __p::Scalar> __p::Stage<T, __Core<T>, 1> for __stroke_stages {
         #[inline(always)]
         fn row<const __FUSED: __p::bool, const __ROWS: __p::bool>(
-            __core: &__SliderCrankCore<T>,
+            __core: &__Core<T>,
             __row: &mut impl __p::StageRow<T>,
         ) {
-            let (__m, __modes, __prepared) = __core.loaded();
-            let __carried0 = __row.kept(0);
-            let __carried1 = __row.kept(1);
-            let __v0 = __m.crank;
-            let __v1 = __carried0;
+            let __v0 = __core.dimensions.crank;
+            let __v1 = __row.kept(0);
             let __v2 = __v0 * __v1;
-            let __v3 = __m.offset;
+            let __v3 = __core.dimensions.offset;
             let __v4 = T::mul_add::<__FUSED>(-__v0, __v1, __v3);
-            let __v5 = __prepared[1];
+            let __v5 = __row.prepared(1);
             let __v6 = __v5 - __v4;
             let __v7 = __v5 + __v4;
             let __v8 = __v6 * __v7;
-            let __v9 = __carried1;
+            let __v9 = __row.kept(1);
             let __v10 = T::abs(__v9);
             let __v11 = __v10 + __v5;
-            let __v12 = __prepared[2];
+            let __v12 = __row.prepared(2);
             let __v13 = T::root_with::<__FUSED>(__v8, __v12, __v11);
-            let __v14 = __prepared[0];
+            let __v14 = __row.prepared(0);
             let __v15 = __v14 * __v13;
             let __v16 = T::mul_add::<__FUSED>(-__v14, __v13, __v9);
             let __v17 = T::select(__v13, __v4, __v13);
-            let __v18 = __prepared[3];
+            let __v18 = __row.prepared(3);
             let __v19 = T::quotient_with::<__FUSED>(__v18, __v13);
             let __v20 = __v9 * __v19;
             let __v21 = __v17 * __v20;
@@ -829,41 +754,12 @@ const _: () = {
             __rows.write(2);
         }
     }
-    impl<T: __p::Scalar> __p::SetStages<SliderCrank<T>, 3, 4, 4>
-    for __SliderCrank_stroke_stages {
+    impl<T: __p::Scalar> __p::SetStages<SliderCrank<T>, 3, 4, 4> for __stroke_stages {
         type Prepared<const __BLOCK: __p::usize> = __p::Block<T, __BLOCK, 4>;
-        #[inline(always)]
-        fn prepare<const __FUSED: __p::bool>(
-            __m: &SliderCrank<T>,
-            __modes: &[__p::AssemblyMode; 1],
-            __turns: &__p::RevolutionsOf<SliderCrank<T>>,
-            __slots: &mut impl __p::RowNumbersMut<T>,
-        ) {
-            let [__value0, __value1, __value2, __value3, _, _, _, _, _] = __p::Compiled::prepare::<
-                __FUSED,
-            >(__m, __modes, __turns);
-            __slots.put(0, __value0);
-            __slots.put(1, __value1);
-            __slots.put(2, __value2);
-            __slots.put(3, __value3);
-        }
-        #[inline(always)]
-        fn prepared(__slots: &impl __p::RowNumbers<T>) -> [T; 9] {
-            let __zero = T::from_f64(0.0);
-            [
-                __slots.number(0),
-                __slots.number(1),
-                __slots.number(2),
-                __slots.number(3),
-                __zero,
-                __zero,
-                __zero,
-                __zero,
-                __zero,
-            ]
-        }
+        const COLUMNS: &'static [__p::usize] = &__p::columns_of::<9>(&[0, 1, 2, 3]);
     }
-    impl<T: __p::Scalar> __p::ResultRow<T, 5> for __SliderCrank_accuracy::Accuracy<T> {
+    use __SliderCrank_accuracy::*;
+    impl<T: __p::Scalar> __p::ResultRow<T, 5> for Accuracy<T> {
         #[inline(always)]
         fn from_row([__row0, __row1, __row2, __row3, __row4]: [T; 5]) -> Self {
             Self {
@@ -877,20 +773,10 @@ const _: () = {
             [self.slide, self.e[0], self.e[1], self.e[2], self.margin]
         }
     }
-    #[automatically_derived]
-    impl<T> ::core::default::Default for __SliderCrank_accuracy::AccuracyColumns<T> {
-        fn default() -> Self {
-            Self(::core::default::Default::default())
-        }
+    __p::columns! {
+        AccuracyColumns of[Accuracy; 5]
     }
-    #[automatically_derived]
-    impl<T> ::core::ops::Deref for __SliderCrank_accuracy::AccuracyColumns<T> {
-        type Target = __p::ResultColumns<T, __SliderCrank_accuracy::Accuracy<T>, 5>;
-        fn deref(&self) -> &Self::Target {
-            &self.0
-        }
-    }
-    impl<T: __p::Scalar> __SliderCrank_accuracy::AccuracyColumns<T> {
+    impl<T: __p::Scalar> AccuracyColumns<T> {
         /// Empty columns; nothing is allocated before the first sweep.
         #[must_use]
         pub fn new() -> Self {
@@ -922,132 +808,89 @@ const _: () = {
         /// Operations: 7 additions, 12 multiplications, 1 division, 1 square root, 1 sine-cosine pair, 4 others. Derivatives by parameters are computed forward.
         #[must_use]
         #[inline]
-        pub fn accuracy(&self, phi: T) -> __SliderCrank_accuracy::Accuracy<T> {
+        pub fn accuracy(&self, phi: T) -> Accuracy<T> {
             __p::call(&self.__sealed, [phi])
         }
-        #[must_use]
-        /// `accuracy` at many positions: see [sweeps](Self#sweeps).
-        pub fn accuracy_sweep(
-            &self,
-            phi: &[T],
-        ) -> __SliderCrank_accuracy::AccuracyColumns<T> {
-            __SliderCrank_accuracy::AccuracyColumns(__p::sweep(&self.__sealed, [phi]))
+        __p::sweeps! {
+            (pub) "accuracy"(phi) -> AccuracyColumns of[Accuracy; 5] by sweeps,
+            [accuracy_sweep, accuracy_sweep_into, accuracy_sweep_slices,
+            accuracy_sweep_parallel_into], [columns, slices]
         }
-        /// `accuracy` at many positions, into columns that are there: see [sweeps](Self#sweeps).
-        pub fn accuracy_sweep_into(
-            &self,
-            phi: &[T],
-            columns: &mut __SliderCrank_accuracy::AccuracyColumns<T>,
-        ) {
-            __p::sweep_into(&self.__sealed, [phi], &mut columns.0);
-        }
-        /// `accuracy` at many positions, into slices: see [sweeps](Self#sweeps).
-        pub fn accuracy_sweep_slices(&self, phi: &[T], slices: [&mut [T]; 5]) {
-            __p::Slices::<
-                __SliderCrank_accuracy::Accuracy<T>,
-            >::sweep(&self.__sealed, [phi], slices);
-        }
-        #[must_use]
-        /// `accuracy` for many mechanisms: see [sweeps](Self#sweeps).
-        pub fn accuracy_sweep_sets(
-            &self,
-            sets: &[SliderCrank<T>],
-            phi: &[T],
-        ) -> __SliderCrank_accuracy::AccuracyColumns<T> {
-            __SliderCrank_accuracy::AccuracyColumns(
-                __p::sweep_sets(&self.__sealed, sets, [phi]),
-            )
-        }
-        /// `accuracy` for many mechanisms, into columns that are there: see [sweeps](Self#sweeps).
-        pub fn accuracy_sweep_sets_into(
-            &self,
-            sets: &[SliderCrank<T>],
-            phi: &[T],
-            columns: &mut __SliderCrank_accuracy::AccuracyColumns<T>,
-        ) {
-            __p::sweep_sets_into(&self.__sealed, sets, [phi], &mut columns.0);
+        __p::set_sweeps! {
+            (pub) "accuracy"(phi) -> AccuracyColumns of SliderCrank by sweeps,
+            [accuracy_sweep_sets, accuracy_sweep_sets_into,
+            accuracy_sweep_sets_parallel_into], [sets, columns]
         }
     }
     #[doc(hidden)]
-    impl<T: __p::Scalar> __p::Function<T, __SliderCrankCore<T>, (), 1, 1, 5>
-    for __SliderCrank_accuracy::Accuracy<T> {
-        type Called = __SliderCrank_accuracy_stages;
-        type Refining = __SliderCrank_accuracy_stages;
+    impl<T: __p::Scalar> __p::Function<T, __Core<T>, (), 1, 1, 5> for Accuracy<T> {
+        type Called = __accuracy_stages;
+        type Refining = __accuracy_stages;
         type States = __p::NoStates;
-        const NAMES: &'static __p::FunctionNames<1> = &__p::FunctionNames {
-            function: "accuracy",
-            arguments: ["phi"],
-        };
+        const NAMES: &'static __p::FunctionNames<1> = &__p::function_names(
+            "accuracy",
+            ["phi"],
+        );
     }
     #[doc(hidden)]
-    pub struct __SliderCrank_accuracy_stages;
-    impl<T: __p::Scalar> __p::Staged<T, __SliderCrankCore<T>, 1, 5>
-    for __SliderCrank_accuracy_stages {
+    pub struct __accuracy_stages;
+    impl<T: __p::Scalar> __p::Staged<T, __Core<T>, 1, 5> for __accuracy_stages {
         const WIDE: __p::bool = !::core::cfg!(debug_assertions);
         type Memory<const __BLOCK: __p::usize> = __p::Block<T, __BLOCK, 2>;
         #[inline(always)]
-        fn run(__stages: &mut impl __p::RunStages<T, __SliderCrankCore<T>, Self>) {
+        fn run(__stages: &mut impl __p::RunStages<T, __Core<T>, Self>) {
             __stages.stage::<0>();
             __stages.stage::<1>();
         }
     }
-    impl<T: __p::Scalar> __p::Stage<T, __SliderCrankCore<T>, 0>
-    for __SliderCrank_accuracy_stages {
+    impl<T: __p::Scalar> __p::Stage<T, __Core<T>, 0> for __accuracy_stages {
         #[inline(always)]
         fn row<const __FUSED: __p::bool, const __ROWS: __p::bool>(
-            __core: &__SliderCrankCore<T>,
+            __core: &__Core<T>,
             __row: &mut impl __p::StageRow<T>,
         ) {
-            let (__m, __modes, __prepared) = __core.loaded();
-            let __input0 = __row.number(0);
-            let __v0 = __input0;
+            let __v0 = __row.number(0);
             let (__v1, __v2) = T::sin_cos_shortest::<__FUSED, __ROWS>(__v0);
             __row.keep(0, __v1);
             __row.keep(1, __v2);
         }
-        #[inline(always)]
-        fn write(__rows: &mut impl __p::FinishedRows) {}
     }
-    impl<T: __p::Scalar> __p::Stage<T, __SliderCrankCore<T>, 1>
-    for __SliderCrank_accuracy_stages {
+    impl<T: __p::Scalar> __p::Stage<T, __Core<T>, 1> for __accuracy_stages {
         #[inline(always)]
         fn row<const __FUSED: __p::bool, const __ROWS: __p::bool>(
-            __core: &__SliderCrankCore<T>,
+            __core: &__Core<T>,
             __row: &mut impl __p::StageRow<T>,
         ) {
-            let (__m, __modes, __prepared) = __core.loaded();
-            let __carried0 = __row.kept(1);
-            let __carried1 = __row.kept(0);
-            let __v0 = __m.crank;
-            let __v1 = __carried0;
+            let __v0 = __core.dimensions.crank;
+            let __v1 = __row.kept(1);
             let __v2 = __v0 * __v1;
-            let __v3 = __carried1;
-            let __v4 = __m.offset;
+            let __v3 = __row.kept(0);
+            let __v4 = __core.dimensions.offset;
             let __v5 = T::mul_add::<__FUSED>(-__v0, __v3, __v4);
-            let __v6 = __prepared[1];
+            let __v6 = __row.prepared(1);
             let __v7 = __v6 - __v5;
             let __v8 = __v6 + __v5;
             let __v9 = __v7 * __v8;
             let __v10 = T::abs(__v2);
             let __v11 = __v10 + __v6;
-            let __v12 = __prepared[2];
+            let __v12 = __row.prepared(2);
             let __v13 = T::root_with::<__FUSED>(__v9, __v12, __v11);
-            let __v14 = __prepared[0];
+            let __v14 = __row.prepared(0);
             let __v15 = T::mul_add::<__FUSED>(-__v14, __v13, __v2);
             let __v16 = T::select(__v13, __v5, __v13);
-            let __v17 = __prepared[3];
+            let __v17 = __row.prepared(3);
             let __v18 = T::quotient_with::<__FUSED>(__v17, __v13);
             let __v19 = __v3 * __v18;
             let __v20 = T::mul_add::<__FUSED>(__v16, __v19, __v1);
-            let __v21 = __prepared[4];
+            let __v21 = __row.prepared(4);
             let __v22 = __v21 * __v16;
             let __v23 = __v22 * __v18;
-            let __v24 = __prepared[5];
+            let __v24 = __row.prepared(5);
             let __v25 = __v24 * __v13;
             let __v26 = T::mul_add::<__FUSED>(__v16, __v23, -__v25);
             let __v27 = __v16 * __v18;
             let __v28 = -__v27;
-            let __v29 = __prepared[6];
+            let __v29 = __row.prepared(6);
             let __v30 = __v29 * __v13;
             let __v31 = T::from_f64(1.0f64);
             let __v32 = T::min(__v31, __v30);
@@ -1066,49 +909,20 @@ const _: () = {
             __rows.write(4);
         }
     }
-    impl<T: __p::Scalar> __p::SetStages<SliderCrank<T>, 3, 4, 4>
-    for __SliderCrank_accuracy_stages {
+    impl<T: __p::Scalar> __p::SetStages<SliderCrank<T>, 3, 4, 4> for __accuracy_stages {
         type Prepared<const __BLOCK: __p::usize> = __p::Block<T, __BLOCK, 7>;
-        #[inline(always)]
-        fn prepare<const __FUSED: __p::bool>(
-            __m: &SliderCrank<T>,
-            __modes: &[__p::AssemblyMode; 1],
-            __turns: &__p::RevolutionsOf<SliderCrank<T>>,
-            __slots: &mut impl __p::RowNumbersMut<T>,
-        ) {
-            let [__value0, __value1, __value2, __value3, __value4, __value5, __value6, _,
-            _] = __p::Compiled::prepare::<__FUSED>(__m, __modes, __turns);
-            __slots.put(0, __value0);
-            __slots.put(1, __value1);
-            __slots.put(2, __value2);
-            __slots.put(3, __value3);
-            __slots.put(4, __value4);
-            __slots.put(5, __value5);
-            __slots.put(6, __value6);
-        }
-        #[inline(always)]
-        fn prepared(__slots: &impl __p::RowNumbers<T>) -> [T; 9] {
-            let __zero = T::from_f64(0.0);
-            [
-                __slots.number(0),
-                __slots.number(1),
-                __slots.number(2),
-                __slots.number(3),
-                __slots.number(4),
-                __slots.number(5),
-                __slots.number(6),
-                __zero,
-                __zero,
-            ]
-        }
+        const COLUMNS: &'static [__p::usize] = &__p::columns_of::<
+            9,
+        >(&[0, 1, 2, 3, 4, 5, 6]);
     }
+    use __SliderCrank_shape::*;
     #[automatically_derived]
-    impl<T: ::core::fmt::Debug> ::core::fmt::Debug for __SliderCrank_shape::Shape<T> {
+    impl<T: ::core::fmt::Debug> ::core::fmt::Debug for Shape<T> {
         fn fmt(&self, __f: &mut ::core::fmt::Formatter<'_>) -> ::core::fmt::Result {
             __f.debug_struct("Shape").field("shape", &__p::named(&self.shape)).finish()
         }
     }
-    impl<T: __p::Scalar> __p::ResultRow<T, 10> for __SliderCrank_shape::Shape<T> {
+    impl<T: __p::Scalar> __p::ResultRow<T, 10> for Shape<T> {
         #[inline(always)]
         fn from_row(
             [__row0,
@@ -1149,20 +963,10 @@ const _: () = {
             ]
         }
     }
-    #[automatically_derived]
-    impl<T> ::core::default::Default for __SliderCrank_shape::ShapeColumns<T> {
-        fn default() -> Self {
-            Self(::core::default::Default::default())
-        }
+    __p::columns! {
+        ShapeColumns of[Shape; 10]
     }
-    #[automatically_derived]
-    impl<T> ::core::ops::Deref for __SliderCrank_shape::ShapeColumns<T> {
-        type Target = __p::ResultColumns<T, __SliderCrank_shape::Shape<T>, 10>;
-        fn deref(&self) -> &Self::Target {
-            &self.0
-        }
-    }
-    impl<T: __p::Scalar> __SliderCrank_shape::ShapeColumns<T> {
+    impl<T: __p::Scalar> ShapeColumns<T> {
         /// Empty columns; nothing is allocated before the first sweep.
         #[must_use]
         pub fn new() -> Self {
@@ -1190,87 +994,53 @@ const _: () = {
         /// Operations: 5 additions, 4 multiplications, 1 square root, 1 sine-cosine pair, 1 other.
         #[must_use]
         #[inline]
-        pub fn shape(&self, phi: T) -> __SliderCrank_shape::Shape<T> {
+        pub fn shape(&self, phi: T) -> Shape<T> {
             __p::call(&self.__sealed, [phi])
         }
-        #[must_use]
-        /// `shape` at many positions: see [sweeps](Self#sweeps).
-        pub fn shape_sweep(&self, phi: &[T]) -> __SliderCrank_shape::ShapeColumns<T> {
-            __SliderCrank_shape::ShapeColumns(__p::sweep(&self.__sealed, [phi]))
+        __p::sweeps! {
+            (pub) "shape"(phi) -> ShapeColumns of[Shape; 10] by sweeps, [shape_sweep,
+            shape_sweep_into, shape_sweep_slices, shape_sweep_parallel_into], [columns,
+            slices]
         }
-        /// `shape` at many positions, into columns that are there: see [sweeps](Self#sweeps).
-        pub fn shape_sweep_into(
-            &self,
-            phi: &[T],
-            columns: &mut __SliderCrank_shape::ShapeColumns<T>,
-        ) {
-            __p::sweep_into(&self.__sealed, [phi], &mut columns.0);
-        }
-        /// `shape` at many positions, into slices: see [sweeps](Self#sweeps).
-        pub fn shape_sweep_slices(&self, phi: &[T], slices: [&mut [T]; 10]) {
-            __p::Slices::<
-                __SliderCrank_shape::Shape<T>,
-            >::sweep(&self.__sealed, [phi], slices);
-        }
-        #[must_use]
-        /// `shape` for many mechanisms: see [sweeps](Self#sweeps).
-        pub fn shape_sweep_sets(
-            &self,
-            sets: &[SliderCrank<T>],
-            phi: &[T],
-        ) -> __SliderCrank_shape::ShapeColumns<T> {
-            __SliderCrank_shape::ShapeColumns(
-                __p::sweep_sets(&self.__sealed, sets, [phi]),
-            )
-        }
-        /// `shape` for many mechanisms, into columns that are there: see [sweeps](Self#sweeps).
-        pub fn shape_sweep_sets_into(
-            &self,
-            sets: &[SliderCrank<T>],
-            phi: &[T],
-            columns: &mut __SliderCrank_shape::ShapeColumns<T>,
-        ) {
-            __p::sweep_sets_into(&self.__sealed, sets, [phi], &mut columns.0);
+        __p::set_sweeps! {
+            (pub) "shape"(phi) -> ShapeColumns of SliderCrank by sweeps,
+            [shape_sweep_sets, shape_sweep_sets_into, shape_sweep_sets_parallel_into],
+            [sets, columns]
         }
     }
     #[doc(hidden)]
-    impl<T: __p::Scalar> __p::Function<T, __SliderCrankCore<T>, (), 1, 1, 10>
-    for __SliderCrank_shape::Shape<T> {
-        type Called = __SliderCrank_shape_stages;
-        type Refining = __SliderCrank_shape_stages;
+    impl<T: __p::Scalar> __p::Function<T, __Core<T>, (), 1, 1, 10> for Shape<T> {
+        type Called = __shape_stages;
+        type Refining = __shape_stages;
         type States = __p::NoStates;
-        const NAMES: &'static __p::FunctionNames<1> = &__p::FunctionNames {
-            function: "shape",
-            arguments: ["phi"],
-        };
+        const NAMES: &'static __p::FunctionNames<1> = &__p::function_names(
+            "shape",
+            ["phi"],
+        );
     }
     #[doc(hidden)]
-    pub struct __SliderCrank_shape_stages;
-    impl<T: __p::Scalar> __p::Staged<T, __SliderCrankCore<T>, 1, 10>
-    for __SliderCrank_shape_stages {
+    pub struct __shape_stages;
+    impl<T: __p::Scalar> __p::Staged<T, __Core<T>, 1, 10> for __shape_stages {
         const WIDE: __p::bool = !::core::cfg!(debug_assertions);
         type Memory<const __BLOCK: __p::usize> = __p::Block<T, __BLOCK, 2>;
         #[inline(always)]
-        fn run(__stages: &mut impl __p::RunStages<T, __SliderCrankCore<T>, Self>) {
+        fn run(__stages: &mut impl __p::RunStages<T, __Core<T>, Self>) {
             __stages.stage::<0>();
             __stages.stage::<1>();
         }
     }
-    impl<T: __p::Scalar> __p::Stage<T, __SliderCrankCore<T>, 0>
-    for __SliderCrank_shape_stages {
+    impl<T: __p::Scalar> __p::Stage<T, __Core<T>, 0> for __shape_stages {
         #[inline(always)]
         fn row<const __FUSED: __p::bool, const __ROWS: __p::bool>(
-            __core: &__SliderCrankCore<T>,
+            __core: &__Core<T>,
             __row: &mut impl __p::StageRow<T>,
         ) {
-            let (__m, __modes, __prepared) = __core.loaded();
-            let __input0 = __row.number(0);
-            let __v0 = __input0;
+            let __v0 = __row.number(0);
             let (__v1, __v2) = T::sin_cos_shortest::<__FUSED, __ROWS>(__v0);
-            let __v3 = __m.crank;
+            let __v3 = __core.dimensions.crank;
             let __v4 = __v3 * __v2;
             let __v5 = __v3 * __v1;
-            let __v6 = __m.offset;
+            let __v6 = __core.dimensions.offset;
             let __v7 = T::mul_add::<__FUSED>(-__v3, __v1, __v6);
             __row.keep(0, __v4);
             __row.keep(1, __v7);
@@ -1283,30 +1053,26 @@ const _: () = {
             __rows.write(3);
         }
     }
-    impl<T: __p::Scalar> __p::Stage<T, __SliderCrankCore<T>, 1>
-    for __SliderCrank_shape_stages {
+    impl<T: __p::Scalar> __p::Stage<T, __Core<T>, 1> for __shape_stages {
         #[inline(always)]
         fn row<const __FUSED: __p::bool, const __ROWS: __p::bool>(
-            __core: &__SliderCrankCore<T>,
+            __core: &__Core<T>,
             __row: &mut impl __p::StageRow<T>,
         ) {
-            let (__m, __modes, __prepared) = __core.loaded();
-            let __carried0 = __row.kept(1);
-            let __carried1 = __row.kept(0);
-            let __v0 = __prepared[1];
-            let __v1 = __carried0;
+            let __v0 = __row.prepared(1);
+            let __v1 = __row.kept(1);
             let __v2 = __v0 - __v1;
             let __v3 = __v0 + __v1;
             let __v4 = __v2 * __v3;
-            let __v5 = __carried1;
+            let __v5 = __row.kept(0);
             let __v6 = T::abs(__v5);
             let __v7 = __v6 + __v0;
-            let __v8 = __prepared[2];
+            let __v8 = __row.prepared(2);
             let __v9 = T::root_with::<__FUSED>(__v4, __v8, __v7);
-            let __v10 = __prepared[0];
+            let __v10 = __row.prepared(0);
             let __v11 = T::mul_add::<__FUSED>(-__v10, __v9, __v5);
             let __v12 = T::from_f64(0.0f64);
-            let __v13 = __m.offset;
+            let __v13 = __core.dimensions.offset;
             let __v14 = T::from_f64(1.0f64);
             __row.finish(0, __v12);
             __row.finish(1, __v12);
@@ -1329,37 +1095,8 @@ const _: () = {
             __rows.write(9);
         }
     }
-    impl<T: __p::Scalar> __p::SetStages<SliderCrank<T>, 3, 4, 4>
-    for __SliderCrank_shape_stages {
+    impl<T: __p::Scalar> __p::SetStages<SliderCrank<T>, 3, 4, 4> for __shape_stages {
         type Prepared<const __BLOCK: __p::usize> = __p::Block<T, __BLOCK, 3>;
-        #[inline(always)]
-        fn prepare<const __FUSED: __p::bool>(
-            __m: &SliderCrank<T>,
-            __modes: &[__p::AssemblyMode; 1],
-            __turns: &__p::RevolutionsOf<SliderCrank<T>>,
-            __slots: &mut impl __p::RowNumbersMut<T>,
-        ) {
-            let [__value0, __value1, __value2, _, _, _, _, _, _] = __p::Compiled::prepare::<
-                __FUSED,
-            >(__m, __modes, __turns);
-            __slots.put(0, __value0);
-            __slots.put(1, __value1);
-            __slots.put(2, __value2);
-        }
-        #[inline(always)]
-        fn prepared(__slots: &impl __p::RowNumbers<T>) -> [T; 9] {
-            let __zero = T::from_f64(0.0);
-            [
-                __slots.number(0),
-                __slots.number(1),
-                __slots.number(2),
-                __zero,
-                __zero,
-                __zero,
-                __zero,
-                __zero,
-                __zero,
-            ]
-        }
+        const COLUMNS: &'static [__p::usize] = &__p::columns_of::<9>(&[0, 1, 2]);
     }
 };

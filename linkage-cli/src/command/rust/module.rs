@@ -124,6 +124,9 @@ impl Module<'_> {
         if !self.has(&member.mac.path) {
             return Vec::new();
         }
+        if !name(&member.mac.path).starts_with("if_") {
+            return vec![ImplItem::Macro(member)];
+        }
         let members = &member.mac.tokens;
         let block: ItemImpl = parse_quote!(impl Members { #members });
         let members = block.items.into_iter();
@@ -132,12 +135,12 @@ impl Module<'_> {
 
     /// Returns true if the items in this macro are wanted; those of other macros always.
     fn has(&self, path: &Path) -> bool {
-        let name = path
-            .segments
-            .last()
-            .map(|segment| segment.ident.to_string());
-        let name = name.unwrap_or_default();
-        !name.starts_with("if_") || self.features.contains(&name.as_str())
+        let name = name(path);
+        let feature = match name.as_str() {
+            "columns" | "sweeps" | "set_sweeps" => "if_alloc",
+            name => name,
+        };
+        !feature.starts_with("if_") || self.features.contains(&feature)
     }
 
     /// Takes the attribute that silences lints from an item: the module has it once.
@@ -150,4 +153,10 @@ impl Module<'_> {
             self.silence = Some(attributes.remove(index));
         }
     }
+}
+
+/// The name of a macro.
+fn name(path: &Path) -> String {
+    let last = path.segments.last();
+    last.map_or_else(String::new, |segment| segment.ident.to_string())
 }

@@ -2,17 +2,30 @@
 //!
 //! - `5-lower` shows the statements of programs. Here their number stands for them, with a check sum: it tells a change of how they are printed.
 //! - Of many statements or elements that differ in numbers only, the first is printed, and how many more there are, with a check sum.
+//! - Items and methods that `crank_rocker` has, too, are shown there only: here their number stands for them, with a check sum.
 //! - What silences lints is printed once. An item outside of other items without it is marked as `#[loud]`.
-//! - Macros that depend on features become an attribute of each item within: the printer leaves bodies of macros as they are.
+//! - The items of the block around generated code follow it, with their number in its place.
+//! - Macros that depend on features become an attribute of the first item within, with the number of items: the printer leaves
+//!   bodies of macros as they are.
 
-use proc_macro2::{Delimiter, Group, Ident, Literal, TokenStream, TokenTree};
+use proc_macro2::{Delimiter, Group, Literal, TokenStream, TokenTree};
 use quote::{ToTokens, quote};
-use syn::{
-    Attribute, Expr, File, ImplItem, Item, ItemImpl, ItemMacro, ItemMod, Path, Stmt, parse_quote,
-};
+use syn::{File, Item, parse_quote};
 
-/// The items as text.
-pub(super) fn brief(items: &TokenStream) -> String {
+use super::features::{attributes, content, opened, unwrapped};
+use super::sample::Sample;
+
+/// The items as text; those that a `sample` of another mechanism has, too, are only counted.
+pub(super) fn brief(items: &TokenStream, sample: Option<&Sample>) -> String {
+    let mut file = opened_file(items);
+    if let Some(sample) = sample {
+        sample.leave_out(&mut file);
+    }
+    prettyplease::unparse(&file)
+}
+
+/// The items as those of a file.
+pub(super) fn opened_file(items: &TokenStream) -> File {
     let mut file: File =
         syn::parse2(shortened(items.clone(), Delimiter::Brace)).expect("it is Rust");
     file.items = file.items.into_iter().flat_map(unwrapped).collect();
@@ -25,8 +38,10 @@ pub(super) fn brief(items: &TokenStream) -> String {
         .expect("generated items silence lints")
         .to_token_stream();
     quieten(&mut file.items, &silence.to_string(), true);
-    let once: File = parse_quote!(#silence mod every_item {});
-    prettyplease::unparse(&once) + &prettyplease::unparse(&file)
+    file.items = file.items.into_iter().flat_map(opened).collect();
+    let once: Item = parse_quote!(#silence mod every_item {});
+    file.items.insert(0, once);
+    file
 }
 
 /// Takes what silences lints from all items and from those of modules; those of the `outermost` must have it.
@@ -190,98 +205,8 @@ fn within(token: TokenTree) -> TokenTree {
 }
 
 /// FNV-1a with 32 bits: the same on every machine and with every compiler.
-fn sum(text: &str) -> u32 {
+pub(super) fn sum(text: &str) -> u32 {
     text.bytes().fold(0x811c_9dc5, |sum, byte| {
         (sum ^ u32::from(byte)).wrapping_mul(0x0100_0193)
     })
-}
-
-/// The items in a macro that depends on a feature, each with its name as an attribute; another item as it is.
-fn unwrapped(item: Item) -> Vec<Item> {
-    match item {
-        Item::Macro(item) => {
-            let file = item.mac.parse_body::<File>();
-            let file = file.unwrap_or_else(|e| panic!("{e} in {}", item.mac.to_token_stream()));
-            let feature = feature(&item.mac.path);
-            let mut items: Vec<Item> = file.items.into_iter().flat_map(unwrapped).collect();
-            for item in &mut items {
-                attributes(item).insert(0, parse_quote!(#[#feature]));
-            }
-            items
-        }
-        Item::Impl(mut item) => {
-            let members = std::mem::take(&mut item.items);
-            item.items = members.into_iter().flat_map(unwrapped_member).collect();
-            vec![Item::Impl(item)]
-        }
-        Item::Mod(mut module) => {
-            let items = std::mem::take(content(&mut module));
-            *content(&mut module) = items.into_iter().flat_map(unwrapped).collect();
-            vec![Item::Mod(module)]
-        }
-        Item::Const(mut item) => {
-            if let Expr::Block(body) = &mut *item.expr {
-                let statements = std::mem::take(&mut body.block.stmts);
-                let items = statements.into_iter().map(item_of).flat_map(unwrapped);
-                body.block.stmts = items.map(Stmt::Item).collect();
-            }
-            vec![Item::Const(item)]
-        }
-        other => vec![other],
-    }
-}
-
-/// A statement of the block around generated code as an item.
-fn item_of(statement: Stmt) -> Item {
-    match statement {
-        Stmt::Item(item) => item,
-        Stmt::Macro(call) => Item::Macro(ItemMacro {
-            attrs: call.attrs,
-            ident: None,
-            mac: call.mac,
-            semi_token: call.semi_token,
-        }),
-        other => panic!("items: {}", other.to_token_stream()),
-    }
-}
-
-fn content(module: &mut ItemMod) -> &mut Vec<Item> {
-    &mut module.content.as_mut().expect("it has a body").1
-}
-
-fn unwrapped_member(member: ImplItem) -> Vec<ImplItem> {
-    let ImplItem::Macro(member) = member else {
-        return vec![member];
-    };
-    let members = member.mac.tokens;
-    let block: ItemImpl = parse_quote!(impl Members { #members });
-    let feature = feature(&member.mac.path);
-    let members = block.items.into_iter().flat_map(unwrapped_member);
-    let mut members: Vec<ImplItem> = members.collect();
-    for member in &mut members {
-        match member {
-            ImplItem::Fn(function) => function.attrs.insert(0, parse_quote!(#[#feature])),
-            other => panic!("a method: {}", other.to_token_stream()),
-        }
-    }
-    members
-}
-
-fn feature(path: &Path) -> &Ident {
-    &path.segments.last().expect("a macro has a name").ident
-}
-
-fn attributes(item: &mut Item) -> &mut Vec<Attribute> {
-    match item {
-        Item::Const(item) => &mut item.attrs,
-        Item::Struct(item) => &mut item.attrs,
-        Item::Type(item) => &mut item.attrs,
-        Item::Impl(item) => &mut item.attrs,
-        Item::Mod(item) => &mut item.attrs,
-        Item::Use(item) => &mut item.attrs,
-        other => panic!(
-            "types, their methods and imports: {}",
-            other.to_token_stream()
-        ),
-    }
 }

@@ -7,6 +7,7 @@ use super::list::List;
 use super::revolutions::Revolutions;
 use crate::data::AssemblyMode;
 use crate::support::assembly_data::{AssemblyData, Core};
+use crate::support::stages::RowNumbersMut;
 
 /// The revolutions of the angles of a mechanism.
 pub type RevolutionsOf<C> = Revolutions<<C as Compiled>::Centres, <C as Compiled>::Windings>;
@@ -38,7 +39,7 @@ pub trait Compiled: Clone {
     /// Numbers for each continuous angle.
     type Windings: List<Self::Inputs>;
     /// The numbers that depend on dimensions, modes and revolutions alone.
-    type Prepared: Clone;
+    type Prepared: List<Self::Scalar> + RowNumbersMut<Self::Scalar>;
     /// The initial states of coupled groups in all lanes.
     type States: Clone;
     /// The inputs, and the states of coupled groups there.
@@ -85,12 +86,14 @@ pub trait Compiled: Clone {
     /// The arguments of programs at these inputs.
     fn arguments(&self, states: &Self::States, inputs: &Self::Inputs) -> Self::Arguments;
 
-    /// Prepares an assembly. With `FUSED` only on machines with fused multiply-add.
+    /// Prepares an assembly: its numbers are put into `slots`. With `FUSED` only on machines with
+    /// fused multiply-add.
     fn prepare<const FUSED: bool>(
         &self,
         modes: &Self::Modes,
         revolutions: &RevolutionsOf<Self>,
-    ) -> Self::Prepared;
+        slots: &mut impl RowNumbersMut<Self::Scalar>,
+    );
 
     /// The gaps by which groups miss closing.
     fn gaps(

@@ -19,6 +19,8 @@ pub struct Description {
     pub needed: &'static [usize],
     /// The unit of the gap of each group.
     pub gap_units: &'static [&'static str],
+    /// The number of prepared numbers.
+    pub prepared: usize,
     /// The modes that the start estimates choose.
     pub modes: &'static [AssemblyMode],
     /// The continuous angles, in the order in which they are followed.

@@ -29,6 +29,22 @@ pub struct SurveyedUnknown {
     pub numbers: usize,
 }
 
+/// An unknown whose numbers are surveyed.
+#[must_use]
+pub const fn surveyed(
+    name: &'static str,
+    unit: &'static str,
+    angle: bool,
+    numbers: usize,
+) -> SurveyedUnknown {
+    SurveyedUnknown {
+        name,
+        unit,
+        angle,
+        numbers,
+    }
+}
+
 /// The data of a mechanism that searches for assemblies need.
 #[derive(Clone, Copy, Debug)]
 pub struct GroupData {
@@ -69,7 +85,9 @@ pub trait Grouped: Compiled {
     fn survey(core: &CoreOf<Self>, x: Self::Arguments) -> Self::Survey;
 
     /// The state of a coupled group among arguments.
-    fn state_mut(x: &mut Self::Arguments, number: usize) -> &mut [Self::Scalar];
+    fn state_mut(_x: &mut Self::Arguments, _number: usize) -> &mut [Self::Scalar] {
+        &mut []
+    }
 }
 
 /// The programs of a coupled group.
@@ -91,12 +109,14 @@ pub enum GroupProgram {
 pub trait PlainGroups: Grouped<Scalar = f64, Plain = Self> {
     /// Runs a program of a coupled group; there are no outputs where the group has no such program.
     fn run<R>(
-        core: &CoreOf<Self>,
-        number: usize,
-        program: GroupProgram,
-        x: Self::Arguments,
+        _core: &CoreOf<Self>,
+        _number: usize,
+        _program: GroupProgram,
+        _x: Self::Arguments,
         read: impl FnOnce(&[f64]) -> R,
-    ) -> R;
+    ) -> R {
+        read(&[])
+    }
 
     /// The residuals of a coupled group over a box of its state.
     fn residuals(

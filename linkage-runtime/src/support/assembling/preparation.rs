@@ -44,7 +44,10 @@ enum Preparation {}
 impl<C: Compiled> DataFunction<Unprepared<'_, C>, C::Scalar, C::Prepared, 0> for Preparation {
     #[inline(always)]
     fn value<const FUSED: bool>(data: &Unprepared<'_, C>, []: [C::Scalar; 0]) -> C::Prepared {
-        data.mechanism
-            .prepare::<FUSED>(data.modes, data.revolutions)
+        let mechanism = data.mechanism;
+        let zero = C::Scalar::from_f64(0.0);
+        let mut slots = C::Prepared::list(mechanism.description().prepared, |_| zero);
+        mechanism.prepare::<FUSED>(data.modes, data.revolutions, &mut slots);
+        slots
     }
 }

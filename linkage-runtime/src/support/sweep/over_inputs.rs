@@ -10,6 +10,7 @@ use crate::result_columns::ResultColumns;
 use crate::support::assembly_data::AssemblyData;
 use crate::support::dispatch::as_in_sweeps;
 use crate::support::evaluation::{Function, FunctionCall};
+use crate::support::stages::StageData;
 use linkage_core::Scalar;
 
 /// The results at many positions.
@@ -23,7 +24,7 @@ pub fn sweep<T, C, S, R, const I: usize, const N: usize, const W: usize>(
 ) -> ResultColumns<T, R, W>
 where
     T: Scalar,
-    C: Copy,
+    C: StageData<T> + Copy,
     R: Function<T, C, S, I, N, W>,
 {
     let mut columns = ResultColumns::default();
@@ -42,7 +43,7 @@ pub fn sweep_into<T, C, S, R, const I: usize, const N: usize, const W: usize>(
     columns: &mut ResultColumns<T, R, W>,
 ) where
     T: Scalar,
-    C: Copy,
+    C: StageData<T> + Copy,
     R: Function<T, C, S, I, N, W>,
 {
     into_columns(data, "_sweep_into", arguments, columns);
@@ -56,7 +57,7 @@ fn into_columns<T, C, S, R, const I: usize, const N: usize, const W: usize>(
     columns: &mut ResultColumns<T, R, W>,
 ) where
     T: Scalar,
-    C: Copy,
+    C: StageData<T> + Copy,
     R: Function<T, C, S, I, N, W>,
 {
     let rows = rows::<T, C, S, R, I, N, W>(data, sweep, arguments);
@@ -89,7 +90,7 @@ impl<R> Slices<R> {
         slices: [&mut [T]; W],
     ) where
         T: Scalar,
-        C: Copy,
+        C: StageData<T> + Copy,
         R: Function<T, C, S, I, N, W>,
     {
         let rows = rows::<T, C, S, R, I, N, W>(data, "_sweep_slices", arguments);
@@ -117,7 +118,7 @@ pub fn sweep_parallel_into<T, C, S, R, const I: usize, const N: usize, const W: 
     columns: &mut ResultColumns<T, R, W>,
 ) where
     T: Scalar + Send + Sync,
-    C: Copy + Sync,
+    C: StageData<T> + Copy + Sync,
     S: Sync,
     R: Function<T, C, S, I, N, W>,
 {

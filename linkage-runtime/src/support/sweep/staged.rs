@@ -12,14 +12,9 @@ use super::kernel::Kernel;
 use crate::support::assembling::{Compiled, CoreOf, RevolutionsOf};
 use crate::support::assembly_data::Core;
 use crate::support::stages::{
-    Block, FinishedRows, Memory, RowNumbers, RunStages, Stage, StageRow, Staged,
+    Block, FinishedRows, Memory, RowNumbers, RowNumbersMut, RunStages, Stage, StageData, StageRow,
+    Staged,
 };
-
-/// The numbers of a row, to write to.
-pub trait RowNumbersMut<T> {
-    /// Changes number `k`.
-    fn put(&mut self, k: usize, value: T);
-}
 
 /// A function over mechanisms: the prepared numbers of each mechanism that the function uses.
 ///
@@ -29,16 +24,35 @@ pub trait SetStages<M: Compiled, const P: usize, const Q: usize, const R: usize>
     /// The prepared numbers of `B` rows.
     type Prepared<const B: usize>: Memory<M::Scalar>;
 
-    /// Prepares the mechanism of a row.
+    /// The column of each prepared number of the mechanism by [`columns_of`] those that the
+    /// function uses.
+    const COLUMNS: &'static [usize];
+
+    /// Prepares the mechanism of a row: the numbers that the function uses, or all.
+    #[inline(always)]
     fn prepare<const FUSED: bool>(
         mechanism: &M,
         modes: &M::Modes,
         revolutions: &RevolutionsOf<M>,
         slots: &mut impl RowNumbersMut<M::Scalar>,
-    );
+    ) {
+        mechanism.prepare::<FUSED>(modes, revolutions, slots);
+    }
+}
 
-    /// The prepared numbers of a row: those that the function uses.
-    fn prepared(slots: &impl RowNumbers<M::Scalar>) -> M::Prepared;
+/// No column.
+const UNUSED: usize = usize::MAX;
+
+/// The columns of `N` numbers, of which `used` have one, in this order.
+#[must_use]
+pub const fn columns_of<const N: usize>(used: &[usize]) -> [usize; N] {
+    let mut columns = [UNUSED; N];
+    let mut column = 0;
+    while column < used.len() {
+        columns[used[column]] = column;
+        column += 1;
+    }
+    columns
 }
 
 /// The kernel over inputs of the function `F`.
@@ -55,7 +69,7 @@ impl<'a, C, F> OverInputs<'a, C, F> {
 impl<T, C, F, const N: usize, const W: usize> Kernel<T, N, W> for OverInputs<'_, C, F>
 where
     T: Scalar,
-    C: Copy,
+    C: StageData<T> + Copy,
     F: Staged<T, C, N, W>,
 {
     const WIDE: bool = F::WIDE;
@@ -190,35 +204,79 @@ impl<T, M: Memory<T>, const V: usize> RowNumbers<T> for VectorLane<'_, M, V> {
     }
 }
 
-/// Row `.1` of a block, to write to.
-struct BlockLaneMut<'a, M>(&'a mut M, usize);
+/// The prepared numbers that the function `F` uses in a row: those of one assembly, or `memory`
+/// with the columns of [`SetStages::COLUMNS`].
+struct SetSlots<L, D, F, const P: usize, const Q: usize, const R: usize>(
+    L,
+    PhantomData<fn() -> (D, F)>,
+);
 
-impl<T, M: Memory<T>> RowNumbersMut<T> for BlockLaneMut<'_, M> {
+impl<L, D, F, const P: usize, const Q: usize, const R: usize> RowNumbers<D::Scalar>
+    for SetSlots<L, D, F, P, Q, R>
+where
+    L: RowNumbers<D::Scalar>,
+    D: Compiled,
+    F: SetStages<D, P, Q, R>,
+{
     #[inline(always)]
-    fn put(&mut self, k: usize, value: T) {
-        self.0.put(k, self.1, value);
+    fn number(&self, k: usize) -> D::Scalar {
+        self.0.number(F::COLUMNS[k])
     }
 }
+
+impl<M, D, F, const P: usize, const Q: usize, const R: usize> RowNumbersMut<D::Scalar>
+    for SetSlots<BlockLaneMut<'_, M>, D, F, P, Q, R>
+where
+    M: Memory<D::Scalar>,
+    D: Compiled,
+    F: SetStages<D, P, Q, R>,
+{
+    #[inline(always)]
+    fn put(&mut self, k: usize, value: D::Scalar) {
+        let column = F::COLUMNS[k];
+        if column != UNUSED {
+            self.0.0.put(column, self.0.1, value);
+        }
+    }
+}
+
+/// Row `.1` of a block, to write to.
+struct BlockLaneMut<'a, M>(&'a mut M, usize);
 
 /// The data of the assembly of each row of a block, from those of the assembly that is swept.
 trait Cores<T, C, const B: usize, const R: usize> {
     /// Prepares all rows of a block.
     fn prepare<const FUSED: bool>(&mut self, core: &C, x: &Block<T, B, R>);
 
-    /// The data for row `lane` of a vector of `V` rows.
+    /// The data for row `lane` of a vector of `V` rows, and its prepared numbers: those of the data
+    /// are not of that row.
     fn core_of<const V: usize>(
         &self,
         core: &C,
         x: &Block<T, B, R>,
         vector: usize,
         lane: usize,
-    ) -> impl Borrow<C>;
+    ) -> (impl Borrow<C>, impl RowNumbers<T>);
 }
 
 /// All rows are positions of one assembly.
 struct OneCore;
 
-impl<T, C, const B: usize, const R: usize> Cores<T, C, B, R> for OneCore {
+/// The prepared numbers of an assembly.
+struct OneSlots<'a, C>(&'a C);
+
+impl<T: Copy, C: StageData<T>> RowNumbers<T> for OneSlots<'_, C> {
+    #[inline(always)]
+    fn number(&self, k: usize) -> T {
+        self.0.prepared()[k]
+    }
+}
+
+impl<T, C, const B: usize, const R: usize> Cores<T, C, B, R> for OneCore
+where
+    T: Copy,
+    C: StageData<T>,
+{
     #[inline(always)]
     fn prepare<const FUSED: bool>(&mut self, _: &C, _: &Block<T, B, R>) {}
 
@@ -229,8 +287,8 @@ impl<T, C, const B: usize, const R: usize> Cores<T, C, B, R> for OneCore {
         _: &Block<T, B, R>,
         _: usize,
         _: usize,
-    ) -> impl Borrow<C> {
-        core
+    ) -> (impl Borrow<C>, impl RowNumbers<T>) {
+        (core, OneSlots(core))
     }
 }
 
@@ -253,7 +311,8 @@ where
         while lane < B {
             let row = BlockLane(x, lane);
             let mechanism = core.dimensions.with_dimensions(|k| row.number(k));
-            let mut slots = BlockLaneMut(&mut self.0, lane);
+            let lane_of = BlockLaneMut(&mut self.0, lane);
+            let mut slots = SetSlots::<_, D, F, P, Q, R>(lane_of, PhantomData);
             F::prepare::<FUSED>(&mechanism, &core.modes, &core.revolutions, &mut slots);
             lane = lane.wrapping_add(1);
         }
@@ -266,14 +325,16 @@ where
         x: &Block<T, B, R>,
         vector: usize,
         lane: usize,
-    ) -> impl Borrow<CoreOf<D>> {
+    ) -> (impl Borrow<CoreOf<D>>, impl RowNumbers<T>) {
         let row = VectorLane::<_, V>(x, vector, lane);
-        Core {
+        let core = Core {
             dimensions: core.dimensions.with_dimensions(|k| row.number(k)),
             modes: core.modes.clone(),
             revolutions: core.revolutions.clone(),
-            prepared: F::prepared(&VectorLane::<_, V>(&self.0, vector, lane)),
-        }
+            prepared: core.prepared.clone(),
+        };
+        let slots = VectorLane::<_, V>(&self.0, vector, lane);
+        (core, SetSlots::<_, D, F, P, Q, R>(slots, PhantomData))
     }
 }
 
@@ -335,14 +396,15 @@ where
         while vector < vectors {
             let mut lane = 0;
             while lane < V {
-                let mut row = BlockRow::<_, _, B, V, R, W, FIRST> {
+                let (core, slots) = self.cores.core_of::<V>(self.core, self.x, vector, lane);
+                let mut row = BlockRow::<_, _, _, B, V, R, W, FIRST> {
                     x: self.x,
+                    slots,
                     memory: self.memory,
                     finished: self.finished,
                     vector,
                     lane,
                 };
-                let core = self.cores.core_of::<V>(self.core, self.x, vector, lane);
                 F::row::<FUSED, true>(core.borrow(), &mut row);
                 lane = lane.wrapping_add(1);
             }
@@ -360,6 +422,7 @@ where
 struct BlockRow<
     'a,
     T,
+    S,
     M,
     const B: usize,
     const V: usize,
@@ -368,14 +431,15 @@ struct BlockRow<
     const FIRST: usize,
 > {
     x: &'a Block<T, B, R>,
+    slots: S,
     memory: &'a mut M,
     finished: &'a mut Block<T, V, W>,
     vector: usize,
     lane: usize,
 }
 
-impl<T, M, const B: usize, const V: usize, const R: usize, const W: usize, const FIRST: usize>
-    RowNumbers<T> for BlockRow<'_, T, M, B, V, R, W, FIRST>
+impl<T, S, M, const B: usize, const V: usize, const R: usize, const W: usize, const FIRST: usize>
+    RowNumbers<T> for BlockRow<'_, T, S, M, B, V, R, W, FIRST>
 where
     T: Copy,
 {
@@ -386,12 +450,18 @@ where
     }
 }
 
-impl<T, M, const B: usize, const V: usize, const R: usize, const W: usize, const FIRST: usize>
-    StageRow<T> for BlockRow<'_, T, M, B, V, R, W, FIRST>
+impl<T, S, M, const B: usize, const V: usize, const R: usize, const W: usize, const FIRST: usize>
+    StageRow<T> for BlockRow<'_, T, S, M, B, V, R, W, FIRST>
 where
     T: Copy,
+    S: RowNumbers<T>,
     M: Memory<T>,
 {
+    #[inline(always)]
+    fn prepared(&self, k: usize) -> T {
+        self.slots.number(k)
+    }
+
     #[inline(always)]
     fn kept(&self, k: usize) -> T {
         self.memory.number_in::<V>(k, self.vector, self.lane)

@@ -1,6 +1,6 @@
 //! What machine code must be like, and a table of its size (printed with `--nocapture`).
 
-use linkage::__private::{Function, Sealed, call_inlined};
+use linkage::__private::{Function, Sealed, StageData, call_inlined};
 use linkage::{Operations, Structure};
 use linkage_machine_code::{Findings, Loops, Set, chosen, inspect, sweep};
 
@@ -70,7 +70,7 @@ macro_rules! mechanisms {
 #[inline(always)]
 pub(crate) fn of_the_build<
     A,
-    C,
+    C: StageData<f64>,
     S,
     R: Function<f64, C, S, I, N, W>,
     const I: usize,
