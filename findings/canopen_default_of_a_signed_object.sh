@@ -1,16 +1,16 @@
 #!/usr/bin/env bash
 # canopen 2.4.1: the EDS of a drive, with default values of signed objects that are written in hexadecimal.
 #
-# Behaviour: the default of the lower software limit of a drive, 0x80000000, is read as 2147483648, twice the range away
-# from the -2147483648 that it stands for, while `LowLimit=0x80000000` of the same object is read as -2147483648. The
-# default exponent of the interpolation time, 0xFD, is 253, so that a cycle of 1 ms has 10^253 s; as a limit 0xFD is -3.
-# A local node that is made from the file raises ValueError where these objects are read. Nothing is printed on reading
-# the file. Defaults in decimal are right.
+# Behaviour: the default of the lower software limit of a drive, 0x80000000, is read as 2147483648, the whole range
+# away from the -2147483648 that it stands for, while `LowLimit=0x80000000` of the same object is read as -2147483648.
+# The default exponent of the interpolation time, 0xFD, is 253, so that a cycle of 1 ms has 10^253 s; as a limit 0xFD
+# is -3. A local node that is made from the file raises ValueError where these objects are read. Nothing is printed on
+# reading the file. Defaults in decimal are right.
 #
 # Guess before: the default has the sign of its type, as the limits have.
 #
-# Source: CiA 306 has limits of signed types as two's complement in hexadecimal. canopen/objectdictionary/eds.py calls
-# `_signed_int_from_hex` for `LowLimit` and `HighLimit` and not for `DefaultValue` and `ParameterValue`.
+# Source: canopen/objectdictionary/eds.py takes hexadecimal limits of signed types for two's complement, by
+# `_signed_int_from_hex`, and does not call it for `DefaultValue` and `ParameterValue`.
 #
 # Seen:
 #   lower limit of position: default 2147483648, smallest value -2147483648; local node: ValueError

@@ -4,7 +4,7 @@
 # Behaviour: the points of an arc in the x-z plane come with their coordinates in another order: x is the z of the
 # program, y its x, and z its y. Lines keep the order, so a path of a line and an arc comes apart: the line ends at
 # (10, 0, 0) and the arc begins at (0, 10, 0). In the y-z plane it is y, z, x. With G90.1, absolute centres of arcs, a
-# half circle about (10, 0) has its centre at its end, with the radius 0. There is no message of any of this.
+# half circle about (10, 0) has its centre at (30, 0), 10 from its beginning and 30 from its end. No message is printed.
 #
 # Guess before: the points of an arc are points of the program, as those of lines are; G90.1 is read, as the modal state
 # has a place for it.

@@ -8,8 +8,8 @@
 #
 # Guess before: both arguments count, or the derivative stays a symbol, as that of `max(x, 0)` does.
 #
-# Source: the README has `diff` as the derivative with respect to a variable, and `atan2` among the functions. The rule
-# in Calculus.js has the square of both arguments below and one product above, where there should be two.
+# Source: the README has `diff` for derivatives, and names no function that it cannot differentiate. The rule of `atan2`
+# in Calculus.js has the partial derivative of the first argument, and the chain rule goes on with that one alone.
 #
 # Seen:
 #   atan2(2,x): slope 0.000000, of the values -0.458716
