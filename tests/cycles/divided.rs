@@ -2,7 +2,8 @@
 
 use super::{N, Rocker, RockerAssembly, design, speed, tip};
 use linkage::design::{
-    BestCycle, CycleDesign, CyclePart, DesignError, Dwell, Figure, Highest, Peak, Stroke,
+    BestCycle, Candidate, Chosen, Conditions, CycleDesign, CycleObjective, CyclePart, DesignError,
+    Dwell, Figure, Highest, Peak, Stroke,
 };
 use linkage::tolerance::Tolerances;
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -33,6 +34,49 @@ fn printed(found: &Result<Vec<BestCycle<Rocker, RockerAssembly>>, DesignError>) 
     match found {
         Ok(all) => all.iter().map(number).collect(),
         Err(error) => format!("{error:?}"),
+    }
+}
+
+/// A goal that adds a condition once, and knows an assembly only with that condition.
+struct Refined<O>(O);
+
+impl<O: CycleObjective<Rocker, RockerAssembly, N>> CycleObjective<Rocker, RockerAssembly, N>
+    for Refined<O>
+{
+    fn title(&self) -> String {
+        self.0.title()
+    }
+
+    fn is_goal(&self) -> bool {
+        true
+    }
+
+    fn evaluate(
+        &self,
+        candidate: &Candidate<'_, Rocker, RockerAssembly>,
+        chosen: Chosen<'_>,
+    ) -> Option<Conditions<N>> {
+        self.0.evaluate(candidate, chosen)
+    }
+
+    fn known_by(
+        &self,
+        candidate: &Candidate<'_, Rocker, RockerAssembly>,
+        chosen: Chosen<'_>,
+    ) -> Option<Vec<f64>> {
+        let added = chosen.added.first()?.first()?;
+        Some(vec![*added, candidate.motion.assembly.tip(0.7).tip])
+    }
+
+    fn refine(
+        &self,
+        _: &Candidate<'_, Rocker, RockerAssembly>,
+        chosen: Chosen<'_>,
+    ) -> Vec<Vec<f64>> {
+        match chosen.added.is_empty() {
+            true => vec![vec![2.5]],
+            false => Vec::new(),
+        }
     }
 }
 
@@ -68,8 +112,9 @@ fn every_division_has_the_same_optima() {
             .want(speed)
             .catalogue("frame", [138.0, 140.0, 142.0])
     };
-    let problems: [&dyn Fn() -> Problem<'static>; 3] = [&small, &worst, &catalogue];
-    for (problem, optima) in problems.into_iter().zip([2, 1, 1]) {
+    let refined = || design().want(Refined(Highest(tip()).least())).starts(3);
+    let problems: [&dyn Fn() -> Problem<'static>; 4] = [&small, &worst, &catalogue, &refined];
+    for (problem, optima) in problems.into_iter().zip([2, 1, 1, 1]) {
         let whole = problem().run_all();
         assert!(whole.as_ref().is_ok_and(|all| all.len() >= optima));
         for of in [1, 4, 9] {
