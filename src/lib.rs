@@ -421,7 +421,7 @@ pub mod __private {
     pub use linkage_runtime::support::{
         Coupled, CoupledGrid, CoupledGroup, CoupledInput, CoupledLoop, CoupledUnknown,
         FollowedStages, InitialState as Start, Moving, Range, Standing, Stop, Term, Terms,
-        Variable, follow, followed_sweep_sets, followed_sweep_sets_into, put_corrected,
+        Variable, follow, followed_sweep_sets, followed_sweep_sets_into, list_roots, put_corrected,
     };
     #[cfg(feature = "rayon")]
     pub use linkage_runtime::support::{

@@ -57,7 +57,7 @@ pub use linkage_core::numeric::continuation::Terms;
 #[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]
 pub use linkage_core::numeric::continuation::{Correction, Range, Residuals, Step};
 #[cfg(feature = "alloc")]
-pub use linkage_core::numeric::roots::{Term, Variable};
+pub use linkage_core::numeric::roots::{Term, Variable, solve as list_roots};
 #[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]
 pub use linkage_core::range_check::Slack;
 #[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]

@@ -30,6 +30,9 @@ pub use system::{
     HIGHEST_DEGREE, Listing, MOST_PATHS, MOST_VARIABLES, System, Term, Unlisted, Variable,
 };
 
+/// A function like [`solve`].
+pub type Solve = fn(&System<'_>, &[[f64; 2]]) -> Result<Listing, Unlisted>;
+
 /// Lists the solutions of a system with these coefficients (real and imaginary part for every
 /// term). The same arguments always give the same listing, bit by bit.
 ///
@@ -44,6 +47,10 @@ pub use system::{
 ///
 /// If the system is malformed: other than one coefficient for every term, other than one exponent
 /// for every variable, an equation without number, a `Point` without its `Conjugate`.
+// Half of the code of this crate. A function to inline is built where it is called, so that a dev
+// build of a program without coupled groups has none of it. The macro always needs it, and release
+// builds have it once for all builds of the program.
+#[cfg_attr(all(debug_assertions, not(feature = "host")), inline)]
 pub fn solve(system: &System<'_>, coefficients: &[[f64; 2]]) -> Result<Listing, Unlisted> {
     system::check_form(system, coefficients);
     let mut target = polynomial::collect(system, coefficients)?;

@@ -3,7 +3,7 @@
 use linkage_compiler::ir::{CompiledMechanism, Coupled, ShownNumber};
 use linkage_runtime::Group;
 use linkage_runtime::support::{
-    CoupledGroup, CoupledInput, CoupledLoop, CoupledUnknown, Range, Term,
+    CoupledGroup, CoupledInput, CoupledLoop, CoupledUnknown, Range, Term, list_roots,
 };
 
 use super::forever::forever;
@@ -68,6 +68,7 @@ fn group(
         unknowns: forever(unknowns.collect::<Vec<_>>()),
         variables: forever(coupled.variables.as_slice()),
         terms: forever(terms.collect::<Vec<_>>()),
+        list: list_roots,
         missed: forever(missed.collect::<Vec<_>>()),
         inputs: forever(inputs.collect::<Vec<_>>()),
         in_cells: coupled.in_cells,

@@ -2,7 +2,7 @@
 
 use crate::triads::EyeNeedle;
 use linkage_runtime::numeric::continuation::{Correction, Range, Residuals, Step, Terms};
-use linkage_runtime::numeric::roots::{Term, Variable};
+use linkage_runtime::numeric::roots::{self, Term, Variable};
 use linkage_runtime::support::{
     Coupled, CoupledGroup, CoupledInput, CoupledPrograms, CoupledUnknown, InitialState, Which,
     initial_states, list_solutions, nearest_solution,
@@ -61,6 +61,7 @@ const GROUP: CoupledGroup = CoupledGroup {
     unknowns: &[unknown("leg", 1.1), unknown("link", 2.5 + TAU)],
     variables: &[Variable::Unit, Variable::Unit],
     terms: &TERMS,
+    list: roots::solve,
     missed: &[],
     inputs: &[CoupledInput {
         name: "phi",

@@ -70,6 +70,7 @@ pub(super) fn literal(outline: &Outline, unit: &CompiledMechanism, group: &Coupl
             unknowns: &[#(#unknowns),*],
             variables: &[#(#variables),*],
             terms: &[#(#terms),*],
+            list: #runtime::list_roots,
             missed: &[#(#missed),*],
             inputs: &[#(#inputs),*],
             in_cells: #runtime::Terms::#in_cells,

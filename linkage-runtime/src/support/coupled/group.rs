@@ -3,7 +3,7 @@
 use crate::structure::Group;
 use alloc::vec::Vec;
 use linkage_core::numeric::continuation::{Range, Terms};
-use linkage_core::numeric::roots::{Term, Variable};
+use linkage_core::numeric::roots::{self, Term, Variable};
 
 /// A group without a closed form.
 #[derive(Clone, Copy, Debug)]
@@ -21,6 +21,9 @@ pub struct CoupledGroup {
     pub variables: &'static [Variable],
     /// The terms of its polynomial system; none of a group that is followed from its estimates.
     pub terms: &'static [Term<'static>],
+    /// The listing of all solutions of that system, [`roots::solve`]. Given with the data, so that
+    /// crates without coupled groups do not build it.
+    pub list: roots::Solve,
     /// The loops of a group that is followed from its estimates, in the order of
     /// [`CoupledPrograms::missed`](super::CoupledPrograms::missed); empty if there are no programs
     /// for them.

@@ -10,14 +10,14 @@ use alloc::vec;
 use alloc::vec::Vec;
 use linkage_core::numeric::choose_assembly::{Ambiguity, choose_assembly, may_be_meant};
 use linkage_core::numeric::continuation::{meeting_states, states};
-use linkage_core::numeric::roots::{Listing, System, Unlisted, solve};
+use linkage_core::numeric::roots::{Listing, System, Unlisted};
 
 fn listed(group: &CoupledGroup, coefficients: &[[f64; 2]]) -> Result<Listing, AssemblyError> {
     let system = System {
         variables: group.variables,
         terms: group.terms,
     };
-    solve(&system, coefficients).map_err(|why| match why {
+    (group.list)(&system, coefficients).map_err(|why| match why {
         Unlisted::NotFinite => group.undefined(),
         why => group.error(CoupledCause::NotListed(why)),
     })
