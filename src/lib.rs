@@ -421,7 +421,7 @@ pub mod __private {
     pub use linkage_runtime::support::{
         Coupled, CoupledGrid, CoupledGroup, CoupledInput, CoupledLoop, CoupledUnknown,
         FollowedStages, InitialState as Start, Moving, Range, Standing, Stop, Term, Terms,
-        Variable, follow, put_corrected,
+        Variable, follow, list_roots, put_corrected,
     };
     pub use linkage_runtime::{
         AssemblyError, AssemblyMode, Axis, Dimensions, Drive, DriveOn, FUSED, Frame, Gear, Group,
