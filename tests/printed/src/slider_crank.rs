@@ -663,9 +663,9 @@ const _: () = {
             __p::call(&self.__sealed, [phi])
         }
         __p::sweeps! {
-            (pub fn) "stroke"(phi) -> StrokeColumns of[Stroke; 3] by sweeps, [stroke_sweep,
-            stroke_sweep_into, stroke_sweep_slices, stroke_sweep_parallel_into],
-            [columns, slices]
+            (pub fn) "stroke"(phi) -> StrokeColumns of[Stroke; 3] by sweeps,
+            [stroke_sweep, stroke_sweep_into, stroke_sweep_slices,
+            stroke_sweep_parallel_into], [columns, slices]
         }
         __p::set_sweeps! {
             (pub fn) "stroke"(phi) -> StrokeColumns of SliderCrank by sweeps,
