@@ -39,7 +39,7 @@ macro_rules! columns {
 #[macro_export]
 macro_rules! sweeps {
     (
-        ($visibility:vis) $function:literal ($($argument:ident),*)
+        ($visibility:vis fn) $function:literal ($($argument:ident),*)
         -> $columns:ident of [$result:ident; $width:literal] by $by:ident,
         [$sweep:ident, $into:ident, $slices:ident, $parallel_into:ident],
         [$columns_argument:ident, $slices_argument:ident]
@@ -109,7 +109,7 @@ macro_rules! sweeps {
 #[macro_export]
 macro_rules! set_sweeps {
     (
-        ($visibility:vis) $function:literal ($($argument:ident),*)
+        ($visibility:vis fn) $function:literal ($($argument:ident),*)
         -> $columns:ident of $mechanism:ident by $by:ident,
         [$sweep:ident, $into:ident, $parallel_into:ident],
         [$sets_argument:ident, $columns_argument:ident]

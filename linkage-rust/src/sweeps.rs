@@ -50,7 +50,7 @@ fn over_inputs(outline: &Outline, function: &Function) -> TokenStream {
     let others = ["columns", "slices"].map(|name| argument(function, name));
     quote! {
         #runtime::sweeps! {
-            (#visibility) #title (#(#arguments),*) -> #columns of [#result; #width] by #by,
+            (#visibility fn) #title (#(#arguments),*) -> #columns of [#result; #width] by #by,
             [#(#methods),*], [#(#others),*]
         }
     }
@@ -78,7 +78,7 @@ fn over_sets(outline: &Outline, function: &Function) -> TokenStream {
     let others = ["sets", "columns"].map(|name| argument(function, name));
     quote! {
         #runtime::set_sweeps! {
-            (#visibility) #title (#(#arguments),*) -> #columns of #name by #by,
+            (#visibility fn) #title (#(#arguments),*) -> #columns of #name by #by,
             [#(#methods),*], [#(#others),*]
         }
     }

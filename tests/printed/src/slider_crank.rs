@@ -663,12 +663,12 @@ const _: () = {
             __p::call(&self.__sealed, [phi])
         }
         __p::sweeps! {
-            (pub) "stroke"(phi) -> StrokeColumns of[Stroke; 3] by sweeps, [stroke_sweep,
-            stroke_sweep_into, stroke_sweep_slices, stroke_sweep_parallel_into],
-            [columns, slices]
+            (pub fn) "stroke"(phi) -> StrokeColumns of[Stroke; 3] by sweeps,
+            [stroke_sweep, stroke_sweep_into, stroke_sweep_slices,
+            stroke_sweep_parallel_into], [columns, slices]
         }
         __p::set_sweeps! {
-            (pub) "stroke"(phi) -> StrokeColumns of SliderCrank by sweeps,
+            (pub fn) "stroke"(phi) -> StrokeColumns of SliderCrank by sweeps,
             [stroke_sweep_sets, stroke_sweep_sets_into, stroke_sweep_sets_parallel_into],
             [sets, columns]
         }
@@ -812,12 +812,12 @@ const _: () = {
             __p::call(&self.__sealed, [phi])
         }
         __p::sweeps! {
-            (pub) "accuracy"(phi) -> AccuracyColumns of[Accuracy; 5] by sweeps,
+            (pub fn) "accuracy"(phi) -> AccuracyColumns of[Accuracy; 5] by sweeps,
             [accuracy_sweep, accuracy_sweep_into, accuracy_sweep_slices,
             accuracy_sweep_parallel_into], [columns, slices]
         }
         __p::set_sweeps! {
-            (pub) "accuracy"(phi) -> AccuracyColumns of SliderCrank by sweeps,
+            (pub fn) "accuracy"(phi) -> AccuracyColumns of SliderCrank by sweeps,
             [accuracy_sweep_sets, accuracy_sweep_sets_into,
             accuracy_sweep_sets_parallel_into], [sets, columns]
         }
@@ -998,12 +998,12 @@ const _: () = {
             __p::call(&self.__sealed, [phi])
         }
         __p::sweeps! {
-            (pub) "shape"(phi) -> ShapeColumns of[Shape; 10] by sweeps, [shape_sweep,
+            (pub fn) "shape"(phi) -> ShapeColumns of[Shape; 10] by sweeps, [shape_sweep,
             shape_sweep_into, shape_sweep_slices, shape_sweep_parallel_into], [columns,
             slices]
         }
         __p::set_sweeps! {
-            (pub) "shape"(phi) -> ShapeColumns of SliderCrank by sweeps,
+            (pub fn) "shape"(phi) -> ShapeColumns of SliderCrank by sweeps,
             [shape_sweep_sets, shape_sweep_sets_into, shape_sweep_sets_parallel_into],
             [sets, columns]
         }
