@@ -37,7 +37,9 @@ pub use description::Description;
 #[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]
 pub use group_programs::GroupPrograms;
 #[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]
-pub use grouped::{Bounds, GroupData, GroupProgram, Grouped, PlainGroups, SurveyedUnknown, bounds};
+pub use grouped::{
+    Bounds, GroupData, GroupProgram, Grouped, PlainGroups, SurveyedUnknown, bounds, slacks,
+};
 pub use list::List;
 #[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]
 pub use mechanism_path::CoupledParts;
