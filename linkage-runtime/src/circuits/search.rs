@@ -102,6 +102,7 @@ impl<'a, M: Levels> LevelSearch<'a, M> {
             over: over.as_deref(),
             single: mode.is_none(),
             served: before.known.is_none(),
+            smooth: before.ends == [End::Range; 2],
         };
         let kind = self.searched.slacks.get(group);
         if mode.is_some() && is_folded(kind, &slab, samples, &at) {
