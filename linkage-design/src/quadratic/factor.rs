@@ -69,8 +69,9 @@ impl Factor {
         let stride = n + LANES;
         for first in (from..n).step_by(LANES) {
             let mut sums = [-0.0; LANES];
-            for k in from..first {
-                add(&mut sums, &self.columns[k * stride + first..], x[k]);
+            let columns = self.columns.chunks_exact(stride).zip(x.iter());
+            for (column, x) in columns.take(first).skip(from) {
+                add(&mut sums, &column[first..], *x);
             }
             for (lane, i) in (first..n.min(first + LANES)).enumerate() {
                 let column = &self.columns[i * stride..][..stride];
