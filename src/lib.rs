@@ -415,7 +415,7 @@ pub mod __private {
     pub use linkage_runtime::support::{
         Bounds, Enclosure, GroupData, GroupProgram, Grouped, Level, PlainGroups, Slack,
         assemble_coupled, assemble_from, assemblies, assemblies_at, bounds, check_range_of,
-        circuits_of, surveyed,
+        circuits_of, slacks, surveyed,
     };
     #[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]
     pub use linkage_runtime::support::{

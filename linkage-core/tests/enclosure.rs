@@ -116,3 +116,20 @@ fn what_is_not_known_is_said() {
     let root = x.root_with::<false>(one.slack(), one);
     assert!(root.range()[0] == 0.0 && root.slopes()[0].is_nan());
 }
+
+#[test]
+fn constants_have_no_slope_and_none_is_rounded_into_others() {
+    let [third, two] = [
+        Enclosure::from_f64(1.0) / Enclosure::from_f64(3.0),
+        Enclosure::from_f64(2.0),
+    ];
+    assert_eq!((third * two + third).slopes(), [0.0, 0.0]);
+    let x = Enclosure::over(0.5, 0.75);
+    assert_eq!((x + third).slopes(), [1.0, 1.0]);
+    let [least, most] = (third * x).slopes();
+    assert!(least < 1.0 / 3.0 && 1.0 / 3.0 < most && most - least < 3e-16);
+    // Nothing times what is not known, or infinite, is not known.
+    let unknown = Enclosure::from_f64(-1.0).sqrt();
+    assert!((third * unknown).slopes()[0].is_nan());
+    assert!((Enclosure::from_f64(0.0) * Enclosure::over(0.0, f64::INFINITY)).range()[0].is_nan());
+}

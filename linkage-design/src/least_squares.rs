@@ -10,11 +10,15 @@
 //! Denmark, 1999; scaled by the largest diagonal so far, as J. J. Moré does, so that units do not
 //! matter.
 
+mod step_program;
+#[cfg(test)]
+mod tests;
+
 use std::vec::Vec;
 
 use super::limits::Limits;
 use super::normal::Normal;
-use super::quadratic::{Face, Quadratic};
+pub(crate) use step_program::StepProgram;
 
 /// The first damping, as part of the diagonal.
 const FIRST: f64 = 1e-3;
@@ -64,11 +68,6 @@ pub(crate) struct Descent {
     /// The weight of violated conditions, against half the sum of squares.
     price: f64,
     scale: Vec<f64>,
-    gram: Vec<f64>,
-    faces: Vec<Face>,
-    /// The number of faces, the first ones, that are bounds.
-    bounds: usize,
-    program: Quadratic,
 }
 
 impl Descent {
@@ -92,28 +91,40 @@ impl Descent {
             last: false,
             price: 0.0,
             scale: std::vec![0.0; n],
-            gram: Vec::new(),
-            faces: Vec::new(),
-            bounds: 0,
-            program: Quadratic::default(),
         }
     }
 
-    /// Takes the function at the trial and chooses the next one.
-    pub(crate) fn advance(&mut self, limits: &Limits, there: &mut Normal) -> State {
+    /// Takes the function at the trial and chooses the next one. `there` has its sum of squares and
+    /// its conditions; `derivatives` fills the rest, which is asked for only where the sum is small
+    /// enough.
+    pub(crate) fn advance(
+        &mut self,
+        step: &mut StepProgram<'_>,
+        there: &mut Normal,
+        derivatives: impl FnOnce(&mut Normal),
+    ) -> State {
         self.count += 1;
+        let small = match (self.count, self.last) {
+            (1, _) => there.sum.is_finite(),
+            (_, true) => self.merit(there) <= (1.0 + PROMISE) * self.merit(&self.here),
+            (_, false) => self.merit(there) < self.merit(&self.here),
+        };
+        let better = small && {
+            derivatives(there);
+            there.is_finite()
+        };
         if self.count == 1 {
-            if !there.is_finite() {
+            if !better {
                 return State::Exhausted;
             }
             self.first = there.sum;
             self.take(there);
         } else if self.last {
-            if there.is_finite() && self.merit(there) <= (1.0 + PROMISE) * self.merit(&self.here) {
+            if better {
                 self.take(there);
             }
             return State::Converged;
-        } else if self.improves(there) {
+        } else if better {
             let gain = (self.merit(&self.here) - self.merit(there)) / self.promised;
             self.damping =
                 (self.damping * (1.0 - (2.0 * gain - 1.0).powi(3)).max(1.0 / 3.0)).max(LEAST);
@@ -129,7 +140,7 @@ impl Descent {
         if self.count >= self.most {
             return State::Exhausted;
         }
-        self.step(limits)
+        self.step(step)
     }
 
     /// Returns true if the sum is zero except for rounding.
@@ -146,124 +157,27 @@ impl Descent {
         }
     }
 
-    fn improves(&self, there: &Normal) -> bool {
-        there.is_finite() && self.merit(there) < self.merit(&self.here)
-    }
-
     fn merit(&self, at: &Normal) -> f64 {
         0.5 * at.sum + self.price * at.violation()
     }
 
     /// The next trial, or the end where none promises anything.
-    fn step(&mut self, limits: &Limits) -> State {
-        let n = self.x.len();
+    fn step(&mut self, step: &mut StepProgram<'_>) -> State {
         while self.damping < STUCK {
-            self.gram.clear();
-            self.gram.extend_from_slice(&self.here.gram);
-            for (j, scale) in self.scale.iter().enumerate() {
-                // A variable without effect stays where it is.
-                let scale = if *scale > 0.0 { *scale } else { 1.0 };
-                self.gram[j * n + j] += self.damping * scale;
-            }
-            if !self.solve(limits) {
+            let Some(steepest) = step.solve(&self.x, &self.here, self.damping, &self.scale) else {
                 self.damping *= 10.0;
                 continue;
-            }
-            self.promised = self.promise();
+            };
+            self.price = self.price.max(2.0 * steepest);
+            self.promised = step.promise(&self.here, self.price);
             self.last = self.promised <= PROMISE * self.merit(&self.here);
-            self.trial.clear();
-            self.trial
-                .extend(self.x.iter().zip(&self.program.d).map(|(x, d)| x + d));
-            limits.clamp(&mut self.trial);
-            self.touch(limits);
+            step.put_trial(&self.x, &mut self.trial);
             return match self.trial == self.x {
                 true => State::Converged,
                 false => State::Running,
             };
         }
         State::Converged
-    }
-
-    /// Puts variables at active bounds on them to the last bit.
-    fn touch(&mut self, limits: &Limits) {
-        for &active in self
-            .program
-            .active
-            .iter()
-            .filter(|&&active| active < self.bounds)
-        {
-            for &(j, a) in &self.faces[active].normal {
-                self.trial[j] = if a > 0.0 {
-                    limits.lower[j]
-                } else {
-                    limits.upper[j]
-                };
-            }
-        }
-    }
-
-    /// The damped step within all limits; conditions that cannot be met at once are met in part.
-    fn solve(&mut self, limits: &Limits) -> bool {
-        self.bounds = limits.faces(&self.x, &mut self.faces);
-        let linear = self.faces.len();
-        if self.here.conditions.is_empty() {
-            return self
-                .program
-                .solve(&self.gram, &self.here.gradient, &self.faces);
-        }
-        for part in [1.0, 0.5, 0.1, 0.0] {
-            self.faces.truncate(linear);
-            for (value, slopes) in &self.here.conditions {
-                let normal = slopes
-                    .iter()
-                    .copied()
-                    .enumerate()
-                    .filter(|(_, slope)| *slope != 0.0);
-                let slack = if *value < 0.0 { part * value } else { *value };
-                self.faces.push(Face {
-                    normal: normal.collect(),
-                    slack,
-                    equality: false,
-                });
-            }
-            if self
-                .program
-                .solve(&self.gram, &self.here.gradient, &self.faces)
-            {
-                let steepest = self
-                    .program
-                    .multipliers
-                    .iter()
-                    .fold(0.0, |most: f64, u| most.max(u.abs()));
-                self.price = self.price.max(2.0 * steepest);
-                return true;
-            }
-        }
-        false
-    }
-
-    /// Returns the decrease of the linearised sum of squares, with the cost of conditions.
-    fn promise(&self) -> f64 {
-        let n = self.x.len();
-        let d = &self.program.d;
-        let mut quadratic = 0.0;
-        let mut linear = 0.0;
-        for i in 0..n {
-            linear += self.here.gradient[i] * d[i];
-            let row = &self.here.gram[i * n..i * n + i];
-            let below: f64 = row.iter().zip(d).map(|(h, d)| h * d).sum();
-            quadratic += d[i] * (below + 0.5 * self.here.gram[i * n + i] * d[i]);
-        }
-        let after: f64 = self
-            .here
-            .conditions
-            .iter()
-            .map(|(value, slopes)| {
-                let slope: f64 = slopes.iter().zip(d).map(|(s, d)| s * d).sum();
-                (-(value + slope)).max(0.0)
-            })
-            .sum();
-        self.price * (self.here.violation() - after) - linear - quadratic
     }
 }
 
@@ -277,15 +191,13 @@ pub(crate) fn minimise(
 ) -> (Descent, State) {
     let mut there = Normal::new(start.len());
     let mut descent = Descent::new(start, most);
+    let mut step = StepProgram::new(limits);
     loop {
         there.clear();
         evaluate(&descent.trial, &mut there);
-        let state = descent.advance(limits, &mut there);
+        let state = descent.advance(&mut step, &mut there, |_| {});
         if state != State::Running {
             return (descent, state);
         }
     }
 }
-
-#[cfg(test)]
-mod tests;

@@ -118,24 +118,42 @@ impl Limits {
     }
 
     /// The limits as faces for a step from `x`: bounds first, of which it gives the number, then
-    /// relations. The memory of faces that are there is used again.
-    pub(crate) fn faces(&self, x: &[f64], faces: &mut Vec<Face>) -> usize {
-        let mut count = 0;
+    /// relations.
+    pub(crate) fn faces(&self, x: &[f64]) -> (Vec<Face>, usize) {
+        let face = |normal, slack, equality| Face {
+            normal,
+            slack,
+            equality,
+        };
+        let mut faces = Vec::new();
         for (j, x) in x.iter().enumerate() {
             let sides = [(1.0, x - self.lower[j]), (-1.0, self.upper[j] - x)];
-            for (a, slack) in sides.into_iter().filter(|(_, slack)| slack.is_finite()) {
-                put_face(faces, count, [(j, a)], slack, false);
-                count += 1;
-            }
+            let finite = sides.into_iter().filter(|(_, slack)| slack.is_finite());
+            faces.extend(finite.map(|(a, slack)| face(vec![(j, a)], slack, false)));
         }
-        let bounds = count;
+        let bounds = faces.len();
         for relation in &self.relations {
-            let normal = relation.terms.iter().map(|&(j, a)| (j, -a));
-            put_face(faces, count, normal, relation.slack(x), relation.equality);
-            count += 1;
+            let normal = relation.terms.iter().map(|&(j, a)| (j, -a)).collect();
+            faces.push(face(normal, relation.slack(x), relation.equality));
         }
-        faces.truncate(count);
-        bounds
+        (faces, bounds)
+    }
+
+    /// Changes the slacks of faces that [`faces`](Self::faces) made to those for a step from `x`.
+    pub(crate) fn put_slacks(&self, x: &[f64], faces: &mut [Face]) {
+        let mut faces = faces.iter_mut();
+        let mut put = |slack: f64| {
+            if let Some(face) = faces.next() {
+                face.slack = slack;
+            }
+        };
+        for ((x, low), high) in x.iter().zip(&self.lower).zip(&self.upper) {
+            let sides = [x - low, high - x].into_iter();
+            sides.filter(|slack| slack.is_finite()).for_each(&mut put);
+        }
+        for relation in &self.relations {
+            put(relation.slack(x));
+        }
     }
 
     /// The place itself, or with equalities the nearest one at which these hold; `None` if there is
@@ -172,8 +190,7 @@ impl Limits {
             };
             gram[j * n + j] = 1.0 / (width * width);
         }
-        let mut faces = Vec::new();
-        self.faces(&near, &mut faces);
+        let (faces, _) = self.faces(&near);
         let mut program = Quadratic::default();
         if !program.solve(&gram, &vec![0.0; n], &faces) {
             return None;
@@ -181,28 +198,5 @@ impl Limits {
         near.iter_mut().zip(&program.d).for_each(|(x, d)| *x += d);
         self.clamp(&mut near);
         self.hold(&near).then_some(near)
-    }
-}
-
-/// Changes the face with this number, in its memory, or adds it after the others.
-pub(crate) fn put_face(
-    faces: &mut Vec<Face>,
-    number: usize,
-    normal: impl IntoIterator<Item = (usize, f64)>,
-    slack: f64,
-    equality: bool,
-) {
-    match faces.get_mut(number) {
-        Some(face) => {
-            face.normal.clear();
-            face.normal.extend(normal);
-            face.slack = slack;
-            face.equality = equality;
-        }
-        None => faces.push(Face {
-            normal: normal.into_iter().collect(),
-            slack,
-            equality,
-        }),
     }
 }

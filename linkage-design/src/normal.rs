@@ -17,59 +17,74 @@ pub(crate) struct Normal {
     pub(crate) conditions: Vec<(f64, Vec<f64>)>,
 }
 
-/// Sums that are computed at once.
+/// Rows and columns of sums that are computed at once.
 const LANES: usize = 4;
 
-/// Residuals with their derivatives by the first variables, row after row.
+/// Residuals with their derivatives by the first variables, row after row, and the sums of their
+/// products.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(crate) struct Block {
     /// The number of variables.
     width: usize,
-    residuals: Vec<f64>,
-    /// Rows of as many numbers as lanes can take, zeros behind the variables.
-    slopes: Vec<f64>,
+    /// Rows of the derivatives, then the residual, then zeros up to whole lanes.
+    rows: Vec<f64>,
+    /// The products of two numbers of a row, summed over all rows: those with the first number in
+    /// one row, as long as those of derivatives.
+    sums: Vec<f64>,
 }
 
 impl Block {
-    /// A block without a row, of so many variables.
-    pub(crate) fn clear(&mut self, width: usize) {
+    /// A block without a row, of so many variables, all sums zero.
+    pub(crate) fn begin(&mut self, width: usize) {
         self.width = width;
-        self.residuals.clear();
-        self.slopes.clear();
+        self.rows.clear();
+        self.sums.clear();
+        self.sums.resize(self.stride() * self.stride(), 0.0);
     }
 
     fn stride(&self) -> usize {
-        self.width.next_multiple_of(LANES)
+        (self.width + 1).next_multiple_of(LANES)
     }
 
-    /// Adds a row.
-    pub(crate) fn push(&mut self, residual: f64, slopes: impl Iterator<Item = f64>) {
-        self.residuals.push(residual);
-        self.slopes.extend(slopes);
-        let filled = self.residuals.len() * self.stride();
-        self.slopes.resize(filled, 0.0);
+    /// Adds a row; returns its derivatives, which are zero.
+    pub(crate) fn push(&mut self, residual: f64) -> &mut [f64] {
+        let (first, stride) = (self.rows.len(), self.stride());
+        self.rows.resize(first + stride, 0.0);
+        let (slopes, rest) = self.rows[first..].split_at_mut(self.width);
+        rest[0] = residual;
+        slopes
     }
 
     /// The residual of the last row, and its derivatives.
     fn last(&self) -> (f64, &[f64]) {
-        let row = self.residuals.len() - 1;
-        let slopes = &self.slopes[row * self.stride()..][..self.width];
-        (self.residuals[row], slopes)
+        let row = &self.rows[self.rows.len() - self.stride()..];
+        (row[self.width], &row[..self.width])
     }
 
-    /// Adds the products of a factor of each row and of its slopes from the variable `first` on.
-    #[inline(always)]
-    fn add_products(&self, first: usize, sums: &mut [f64], factor: impl Fn(usize, &[f64]) -> f64) {
-        let mut lanes = [0.0; LANES];
-        lanes[..sums.len()].copy_from_slice(sums);
-        for (row, slopes) in self.slopes.chunks_exact(self.stride()).enumerate() {
-            let factor = factor(row, slopes);
-            let others = &slopes[first..first + LANES];
-            for (lane, other) in lanes.iter_mut().zip(others) {
-                *lane += factor * other;
+    /// Adds the products of all rows to the sums and removes the rows: in each sum one row after
+    /// the other, and several sums at once.
+    pub(crate) fn add_products(&mut self) {
+        let stride = self.stride();
+        for line in (0..stride).step_by(LANES) {
+            for first in (0..=line).step_by(LANES) {
+                let mut lanes = [[0.0; LANES]; LANES];
+                for (k, lanes) in lanes.iter_mut().enumerate() {
+                    lanes.copy_from_slice(&self.sums[(line + k) * stride + first..][..LANES]);
+                }
+                for row in self.rows.chunks_exact(stride) {
+                    let (factors, others) = (&row[line..][..LANES], &row[first..][..LANES]);
+                    for (lanes, factor) in lanes.iter_mut().zip(factors) {
+                        for (lane, other) in lanes.iter_mut().zip(others) {
+                            *lane += factor * other;
+                        }
+                    }
+                }
+                for (k, lanes) in lanes.iter().enumerate() {
+                    self.sums[(line + k) * stride + first..][..LANES].copy_from_slice(lanes);
+                }
             }
         }
-        sums.copy_from_slice(&lanes[..sums.len()]);
+        self.rows.clear();
     }
 }
 
@@ -111,24 +126,15 @@ impl Normal {
         }
     }
 
-    /// Adds the rows of a block: in each sum one row after the other, and several sums at once.
-    pub(crate) fn add_block(&mut self, block: &Block) {
-        let n = self.gradient.len();
-        for residual in &block.residuals {
-            self.sum += residual * residual;
+    /// Takes the sums of a block as those of the first variables. The sum of squares stays.
+    pub(crate) fn take_block(&mut self, block: &Block) {
+        let (n, stride, width) = (self.gradient.len(), block.stride(), block.width);
+        for (variable, sums) in block.sums.chunks_exact(stride).take(width).enumerate() {
+            let line = self.gram[variable * n..].iter_mut().zip(&sums[..=variable]);
+            line.for_each(|(to, sum)| *to = *sum);
         }
-        for first in (0..block.width).step_by(LANES) {
-            let last = block.width.min(first + LANES);
-            let sums = &mut self.gradient[first..last];
-            block.add_products(first, sums, |row, _| block.residuals[row]);
-        }
-        for variable in 0..block.width {
-            let line = &mut self.gram[variable * n..][..=variable];
-            for first in (0..=variable).step_by(LANES) {
-                let last = (variable + 1).min(first + LANES);
-                block.add_products(first, &mut line[first..last], |_, slopes| slopes[variable]);
-            }
-        }
+        let sums = &block.sums[width * stride..][..width];
+        self.gradient[..width].copy_from_slice(sums);
     }
 
     /// Adds what inputs of its own, each a variable behind those of the block with its slope, make of
@@ -179,18 +185,24 @@ mod tests {
             let (n, inputs) = (width + 3, [width, width + 2]);
             let (mut block, mut all, mut one_by_one) =
                 (Block::default(), Normal::new(n), Normal::new(n));
-            block.clear(width);
+            block.begin(width);
             for row in 0..7 {
                 let residual = number(100 + row);
                 let slopes: Vec<f64> = (0..width).map(|k| number(11 * row + k)).collect();
                 let free = inputs.map(|variable| (variable, number(200 + row * variable)));
-                block.push(residual, slopes.iter().copied());
+                block.push(residual).copy_from_slice(&slopes);
+                all.sum += residual * residual;
                 all.add_inputs(&block, &free);
                 let places: Vec<usize> = (0..width).chain(inputs).collect();
                 let slopes = [slopes, free.map(|(_, slope)| slope).to_vec()].concat();
                 one_by_one.add(residual, &places, &slopes);
+                if row == 2 {
+                    // The rows of another objective follow.
+                    block.add_products();
+                }
             }
-            all.add_block(&block);
+            block.add_products();
+            all.take_block(&block);
             assert_eq!(all, one_by_one, "{width} variables");
         }
     }

@@ -255,33 +255,68 @@ impl<'a, M: DimensionSet<N> + Copy, A, const N: usize> Evaluator<'a, M, A, N> {
         &self.objectives[objective].1
     }
 
-    /// Fills the sum of squares of a place, after the last evaluation.
+    /// Fills the sum of squares of a place with its derivatives, after the last evaluation.
     pub(crate) fn normal(&mut self, start: usize, normal: &mut Normal) {
-        normal.clear();
-        let varied = &self.problem.varied;
+        self.value(start, normal);
+        self.derivatives(start, normal);
+    }
+
+    /// Fills the sum of squares of a place and its conditions, after the last evaluation.
+    pub(crate) fn value(&self, start: usize, normal: &mut Normal) {
+        normal.sum = 0.0;
+        normal.conditions.clear();
         for (index, (_, rows)) in self.objectives.iter().enumerate() {
-            let inputs = self.problem.inputs(index);
-            let condition = self.problem.objectives[index].is_condition();
-            self.block.clear(varied.len());
+            if !self.problem.objectives[index].is_condition() {
+                let residuals = (0..rows.count()).map(|row| rows.row(start, row).0);
+                residuals.for_each(|residual| normal.sum += residual * residual);
+                continue;
+            }
             for row in 0..rows.count() {
                 let (value, parameters, free) = rows.row(start, row);
-                let slopes = varied.iter().map(|&parameter| parameters[parameter]);
-                let free = inputs.clone().zip(free.iter().copied());
-                let free = free.filter(|(_, slope)| *slope != 0.0);
-                if condition {
-                    let mut dense = std::vec![0.0; self.problem.limits.len()];
-                    for (j, slope) in slopes.enumerate().chain(free) {
-                        dense[j] = slope;
-                    }
-                    normal.conditions.push((value, dense));
-                } else {
-                    self.block.push(value, slopes);
+                let mut dense = std::vec![0.0; self.problem.limits.len()];
+                for (slope, &parameter) in dense.iter_mut().zip(&self.problem.varied) {
+                    *slope = parameters[parameter];
+                }
+                dense[self.problem.inputs(index)].copy_from_slice(free);
+                normal.conditions.push((value, dense));
+            }
+        }
+    }
+
+    /// Fills the derivatives of the sum of squares of a place, after the last evaluation.
+    pub(crate) fn derivatives(&mut self, start: usize, normal: &mut Normal) {
+        normal.gradient.fill(0.0);
+        normal.gram.fill(0.0);
+        let (varied, count) = (&self.problem.varied, self.problem.limits.len());
+        // A single free input is in all rows; each of several is in a few.
+        let dense = if count == varied.len() + 1 {
+            count
+        } else {
+            varied.len()
+        };
+        self.block.begin(dense);
+        for (index, (_, rows)) in self.objectives.iter().enumerate() {
+            if self.problem.objectives[index].is_condition() {
+                continue;
+            }
+            let inputs = self.problem.inputs(index);
+            for row in 0..rows.count() {
+                let (value, parameters, free) = rows.row(start, row);
+                let (slopes, others) = self.block.push(value).split_at_mut(varied.len());
+                for (slope, &parameter) in slopes.iter_mut().zip(varied) {
+                    *slope = parameters[parameter];
+                }
+                others.iter_mut().zip(free).for_each(|(to, x)| *to = *x);
+                if dense < count {
+                    let free = inputs.clone().zip(free.iter().copied());
+                    let free = free.filter(|(_, slope)| *slope != 0.0);
                     self.free_slopes.clear();
                     self.free_slopes.extend(free);
                     normal.add_inputs(&self.block, &self.free_slopes);
                 }
             }
-            normal.add_block(&self.block);
+            self.block.add_products();
         }
+        normal.take_block(&self.block);
     }
 }

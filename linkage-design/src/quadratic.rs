@@ -5,9 +5,12 @@
 //! numerically stable dual method for solving strictly convex quadratic programs", Mathematical
 //! Programming 27 (1983).
 
-use linkage_core::numeric::cholesky::{factor, forward};
+mod factor;
+#[cfg(test)]
+mod tests;
+
+use factor::Factor;
 use linkage_core::numeric::vector::dot;
-use std::vec;
 use std::vec::Vec;
 
 /// A half space `normal . d + slack >= 0`, or with `equality` the plane itself.
@@ -40,19 +43,32 @@ const TURNS: usize = 4;
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Quadratic {
     n: usize,
-    /// Lower triangle of Cholesky's factor of `G`, row by row.
-    factor: Vec<f64>,
+    /// Cholesky's factor `L` of `G`.
+    factor: Factor,
     /// The minimum.
     pub(crate) d: Vec<f64>,
     /// The active faces.
     pub(crate) active: Vec<usize>,
     /// Their multipliers.
     pub(crate) multipliers: Vec<f64>,
-    /// `L^-1 normal` of the active faces.
-    images: Vec<Vec<f64>>,
-    /// An orthonormal basis of the images, and its coordinates of each.
-    basis: Vec<Vec<f64>>,
-    triangle: Vec<Vec<f64>>,
+    /// `L^-1 normal` of the active faces, `n` numbers of each.
+    images: Vec<f64>,
+    /// An orthonormal basis of the images, and its coordinates of each: `n` numbers of each, those
+    /// of later vectors are zero.
+    basis: Vec<f64>,
+    triangle: Vec<f64>,
+    scratch: Scratch,
+}
+
+/// A vector in the basis, with what is computed from it.
+#[derive(Clone, Debug, Default)]
+struct Scratch {
+    image: Vec<f64>,
+    coordinates: Vec<f64>,
+    /// The part of the image beside the basis.
+    rest: Vec<f64>,
+    duals: Vec<f64>,
+    direction: Vec<f64>,
 }
 
 impl Quadratic {
@@ -60,13 +76,13 @@ impl Quadratic {
     /// or the faces leave nothing.
     pub(crate) fn solve(&mut self, gram: &[f64], gradient: &[f64], faces: &[Face]) -> bool {
         self.n = gradient.len();
-        if !self.factorise(gram) {
+        if !self.factor.compute(gram, self.n) {
             return false;
         }
         self.d.clear();
         self.d.extend(gradient.iter().map(|g| -g));
-        forward(&self.factor, &mut self.d);
-        backward(&self.factor, self.n, &mut self.d);
+        self.factor.forward(&mut self.d, 0);
+        self.factor.backward(&mut self.d);
         self.active.clear();
         self.multipliers.clear();
         self.images.clear();
@@ -89,13 +105,6 @@ impl Quadratic {
             }
         }
         false
-    }
-
-    fn factorise(&mut self, gram: &[f64]) -> bool {
-        self.factor.clear();
-        self.factor.extend_from_slice(gram);
-        let positive = |_, rest: f64| (rest > 0.0 && rest.is_finite()).then_some(rest);
-        factor(&mut self.factor, self.n, positive).is_some()
     }
 
     /// The face that is violated most, in the measure of `G`'s diagonal, which has no units.
@@ -127,6 +136,13 @@ impl Quadratic {
 
     /// Goes to the face `k`, and lets go of active faces whose multiplier vanishes on the way.
     fn add(&mut self, faces: &[Face], k: usize) -> bool {
+        let mut scratch = core::mem::take(&mut self.scratch);
+        let reached = self.go_to(faces, k, &mut scratch);
+        self.scratch = scratch;
+        reached
+    }
+
+    fn go_to(&mut self, faces: &[Face], k: usize, scratch: &mut Scratch) -> bool {
         let face = &faces[k];
         let value = face.value(&self.d);
         // An equality is approached from the side where it is negative.
@@ -135,22 +151,18 @@ impl Quadratic {
         } else {
             1.0
         };
-        let mut image = vec![0.0; self.n];
-        for &(j, a) in &face.normal {
-            image[j] = sign * a;
-        }
-        forward(&self.factor, &mut image);
-        let size = dot(&image, &image);
+        self.image(face, sign, &mut scratch.image);
+        let size = dot(&scratch.image, &scratch.image);
         let mut multiplier = 0.0;
         loop {
-            let (coordinates, mut rest) = self.split(&image);
-            let duals = self.duals(&coordinates);
-            let left = dot(&rest, &rest);
+            scratch.split(&self.basis);
+            self.duals(&scratch.coordinates, &mut scratch.duals);
+            let left = dot(&scratch.rest, &scratch.rest);
             let full = match left > DEPENDENT * DEPENDENT * size {
                 true => (-sign * face.value(&self.d)).max(0.0) / left,
                 false => f64::INFINITY,
             };
-            let (partial, leaving) = self.first_to_leave(faces, &duals);
+            let (partial, leaving) = self.first_to_leave(faces, &scratch.duals);
             if full.is_infinite() && leaving.is_none() {
                 // An equality that others imply and that holds is no contradiction.
                 return face.equality
@@ -158,33 +170,41 @@ impl Quadratic {
                     && face.value(&self.d).abs() <= 1e-9 * self.scale(face);
             }
             let step = full.min(partial);
-            for (multiplier, dual) in self.multipliers.iter_mut().zip(&duals) {
+            for (multiplier, dual) in self.multipliers.iter_mut().zip(&scratch.duals) {
                 *multiplier -= step * dual;
             }
             multiplier += step;
             if full.is_finite() {
-                backward(&self.factor, self.n, &mut rest);
-                for (d, z) in self.d.iter_mut().zip(&rest) {
-                    *d += step * z;
+                let direction = &mut scratch.direction;
+                direction.clone_from(&scratch.rest);
+                self.factor.backward(direction);
+                for (d, z) in self.d.iter_mut().zip(direction) {
+                    *d += step * *z;
                 }
             }
             if full <= partial {
                 self.active.push(k);
                 self.multipliers.push(multiplier);
-                self.images.push(image);
-                self.triangle.push(coordinates);
-                let (_, rest) = self.split(&self.images[self.images.len() - 1]);
-                let length = dot(&rest, &rest).sqrt();
-                self.basis.push(rest.iter().map(|x| x / length).collect());
-                if let Some(column) = self.triangle.last_mut() {
-                    column.push(length);
-                }
+                self.images.extend_from_slice(&scratch.image);
+                self.extend_basis(scratch);
                 return true;
             }
             if let Some(position) = leaving {
-                self.remove(position);
+                self.remove(position, scratch);
             }
         }
+    }
+
+    /// `L^-1` times the normal of a face with a sign.
+    fn image(&self, face: &Face, sign: f64, image: &mut Vec<f64>) {
+        image.clear();
+        image.resize(self.n, 0.0);
+        let mut from = self.n;
+        for &(j, a) in &face.normal {
+            image[j] = sign * a;
+            from = from.min(j);
+        }
+        self.factor.forward(image, from);
     }
 
     fn scale(&self, face: &Face) -> f64 {
@@ -196,30 +216,15 @@ impl Quadratic {
         parts + face.slack.abs() + f64::MIN_POSITIVE
     }
 
-    /// Coordinates in the basis, and the rest; twice, because once loses digits.
-    fn split(&self, image: &[f64]) -> (Vec<f64>, Vec<f64>) {
-        let mut rest = image.to_vec();
-        let mut coordinates = vec![0.0; self.basis.len()];
-        for _ in 0..2 {
-            for (coordinate, q) in coordinates.iter_mut().zip(&self.basis) {
-                let part = dot(&rest, q);
-                *coordinate += part;
-                for (r, q) in rest.iter_mut().zip(q) {
-                    *r -= part * q;
-                }
-            }
-        }
-        (coordinates, rest)
-    }
-
     /// Returns the effect of a step on the multipliers: the triangle solved for the coordinates.
-    fn duals(&self, coordinates: &[f64]) -> Vec<f64> {
-        let mut r = coordinates.to_vec();
-        for i in (0..r.len()).rev() {
-            let later: f64 = (i + 1..r.len()).map(|j| self.triangle[j][i] * r[j]).sum();
-            r[i] = (r[i] - later) / self.triangle[i][i];
+    fn duals(&self, coordinates: &[f64], duals: &mut Vec<f64>) {
+        duals.clear();
+        duals.extend_from_slice(coordinates);
+        let at = |row: usize, column: usize| self.triangle[column * self.n + row];
+        for i in (0..duals.len()).rev() {
+            let later: f64 = (i + 1..duals.len()).map(|j| at(i, j) * duals[j]).sum();
+            duals[i] = (duals[i] - later) / at(i, i);
         }
-        r
     }
 
     fn first_to_leave(&self, faces: &[Face], duals: &[f64]) -> (f64, Option<usize>) {
@@ -235,36 +240,52 @@ impl Quadratic {
         first
     }
 
-    fn remove(&mut self, position: usize) {
+    /// Adds the vector of an image that has been split.
+    fn extend_basis(&mut self, split: &Scratch) {
+        let length = dot(&split.rest, &split.rest).sqrt();
+        self.basis.extend(split.rest.iter().map(|x| x / length));
+        self.triangle.extend_from_slice(&split.coordinates);
+        self.triangle.push(length);
+        self.triangle.resize(self.basis.len(), 0.0);
+    }
+
+    /// Removes an active face. The scratch keeps its image.
+    fn remove(&mut self, position: usize, scratch: &mut Scratch) {
         self.active.remove(position);
         self.multipliers.remove(position);
-        let images = {
-            self.images.remove(position);
-            core::mem::take(&mut self.images)
-        };
-        self.basis.clear();
-        self.triangle.clear();
-        for image in &images {
-            let (mut coordinates, rest) = self.split(image);
-            let length = dot(&rest, &rest).sqrt();
-            coordinates.push(length);
-            self.triangle.push(coordinates);
-            self.basis.push(rest.iter().map(|x| x / length).collect());
+        let first = position * self.n;
+        self.images.drain(first..first + self.n);
+        // Those before it do not depend on it.
+        self.basis.truncate(first);
+        self.triangle.truncate(first);
+        let image = core::mem::take(&mut scratch.image);
+        for later in position..self.active.len() {
+            scratch.image.clear();
+            let later = &self.images[later * self.n..][..self.n];
+            scratch.image.extend_from_slice(later);
+            scratch.split(&self.basis);
+            self.extend_basis(scratch);
         }
-        self.images = images;
+        scratch.image = image;
     }
 }
 
-/// Solves `L' x = right` in place.
-fn backward(l: &[f64], n: usize, x: &mut [f64]) {
-    for i in (0..n).rev() {
-        x[i] /= l[i * n + i];
-        let known = x[i];
-        for j in 0..i {
-            x[j] -= l[i * n + j] * known;
+impl Scratch {
+    /// Splits the image into its coordinates in a basis and the rest; twice, because once loses
+    /// digits.
+    fn split(&mut self, basis: &[f64]) {
+        let n = self.image.len().max(1);
+        self.rest.clone_from(&self.image);
+        self.coordinates.clear();
+        self.coordinates.resize(basis.len() / n, 0.0);
+        for _ in 0..2 {
+            for (coordinate, q) in self.coordinates.iter_mut().zip(basis.chunks_exact(n)) {
+                let part = dot(&self.rest, q);
+                *coordinate += part;
+                for (r, q) in self.rest.iter_mut().zip(q) {
+                    *r -= part * q;
+                }
+            }
         }
     }
 }
-
-#[cfg(test)]
-mod tests;

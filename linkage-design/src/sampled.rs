@@ -326,27 +326,29 @@ where
         // Row `at * width + k` of all is number `k` at position `at` of all.
         let (positions, width) = (targets.len(), weights.len());
         for (k, (number, weight)) in self.numbers.iter().zip(weights).enumerate() {
-            for (at, value) in self.columns.column(number.value).iter().enumerate() {
-                let difference = value - targets[at % positions][k];
+            let column = |column: usize| self.columns.column(column);
+            let sensitivities = number.sensitivities.iter();
+            let sensitivities: Vec<(usize, &[f64])> = sensitivities
+                .map(|&(parameter, of)| (parameter, column(of)))
+                .collect();
+            let rates = number.rate.map(column);
+            for (at, value) in column(number.value).iter().enumerate() {
+                let position = at % positions;
+                let (row, parameters, inputs) = rows.nth_mut(at * width + k);
+                let difference = value - targets[position][k];
                 let turns = match number.angle {
                     true => TAU * (difference / TAU).round(),
                     false => 0.0,
                 };
-                *rows.nth_mut(at * width + k).0 = weight * (difference - turns);
-            }
-            for &(parameter, column) in &number.sensitivities {
-                for (at, slope) in self.columns.column(column).iter().enumerate() {
-                    rows.nth_mut(at * width + k).1[parameter] = weight * slope;
+                *row = weight * (difference - turns);
+                for &(parameter, slopes) in &sensitivities {
+                    parameters[parameter] = weight * slopes[at];
                 }
-            }
-            for (at, slope) in number
-                .rate
-                .iter()
-                .flat_map(|&rate| self.columns.column(rate).iter().enumerate())
-            {
-                let free = &candidates.free[at / positions * each..];
-                if let Some((index, by)) = timing.input(free, at % positions).1 {
-                    rows.nth_mut(at * width + k).2[index] = by * weight * slope;
+                if let Some(rates) = rates {
+                    let free = &candidates.free[at / positions * each..];
+                    if let Some((index, by)) = timing.input(free, position).1 {
+                        inputs[index] = by * weight * rates[at];
+                    }
                 }
             }
         }

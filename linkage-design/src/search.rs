@@ -2,7 +2,7 @@
 
 use std::vec::Vec;
 
-use super::least_squares::{Descent, State, minimise};
+use super::least_squares::{Descent, State, StepProgram, minimise};
 use super::limits::Limits;
 use super::normal::Normal;
 use super::optimum::Optimum;
@@ -68,6 +68,7 @@ pub(crate) fn block<M: DimensionSet<N> + Copy, A, const N: usize>(
     }
     let mut fates = std::vec![Fate::Open; begun.len()];
     let mut evaluator = Evaluator::new(problem);
+    let mut step = StepProgram::new(&problem.limits);
     for (number, assembly) in assemblies.iter().enumerate() {
         let descents = begun
             .iter()
@@ -85,9 +86,10 @@ pub(crate) fn block<M: DimensionSet<N> + Copy, A, const N: usize>(
             block.evaluations += running.len();
             let mut index = 0;
             running.retain_mut(|(start, descent)| {
-                evaluator.normal(index, &mut there);
+                evaluator.value(index, &mut there);
+                let derivatives = |there: &mut Normal| evaluator.derivatives(index, there);
+                let state = descent.advance(&mut step, &mut there, derivatives);
                 index += 1;
-                let state = descent.advance(&problem.limits, &mut there);
                 if descent.count == 1 && problem.meets(&descent.here) {
                     first[*start] = Some(descent.here.sum).filter(|sum| sum.is_finite());
                 }

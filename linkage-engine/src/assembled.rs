@@ -167,7 +167,7 @@ impl<'m> Assembly<'m> {
     fn survey(&self, inputs: &[f64]) -> Vec<f64> {
         let core = self.core();
         let x = core.dimensions.arguments(self.starts(), &inputs.to_vec());
-        Compiled::survey(core, x)
+        Compiled::survey::<false>(core, x)
     }
 
     pub(crate) fn mechanism(&self) -> &'m Mechanism {

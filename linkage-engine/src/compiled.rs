@@ -217,7 +217,8 @@ impl Grouped for Compiled<'_> {
         lanes[0].clone()
     }
 
-    fn survey(core: &CoreOf<Self>, x: Arguments) -> Vec<f64> {
+    /// Computes all numbers, whatever is asked for.
+    fn survey<const SLACKS: bool>(core: &CoreOf<Self>, x: Arguments) -> Vec<f64> {
         let (compiled, modes, prepared) = core.loaded();
         compiled.run(&compiled.mechanism.compiled.survey, modes, prepared, &x)
     }

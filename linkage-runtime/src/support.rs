@@ -34,7 +34,7 @@ pub use assembling::{
 pub use assembling::{
     Bounds, CoupledParts, GroupData, GroupProgram, GroupPrograms, Grouped, PlainGroups,
     SurveyedUnknown, assemble_coupled, assemble_from, assemble_there, assemblies, assemblies_at,
-    bounds, surveyed,
+    bounds, slacks, surveyed,
 };
 #[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]
 pub(crate) use assembling::{surveyor, with_lanes};

@@ -24,13 +24,25 @@ pub(super) fn statements(
     runs: Runs,
     load: &dyn Fn(Source) -> TokenStream,
 ) -> TokenStream {
+    let [all, _] = parts(program, runs, load, program.instructions.len());
+    all
+}
+
+/// The [`statements`] of the first instructions, as many as `count`, and those of the others.
+pub(super) fn parts(
+    program: &Program,
+    runs: Runs,
+    load: &dyn Fn(Source) -> TokenStream,
+    count: usize,
+) -> [TokenStream; 2] {
     let read = read(program);
     let long = program.instructions.len() > LONG;
-    let mut out = if long {
+    let first = if long {
         declarations(program, &read)
     } else {
         TokenStream::new()
     };
+    let mut parts = [first, TokenStream::new()];
     let keyword = if long {
         TokenStream::new()
     } else {
@@ -63,9 +75,10 @@ pub(super) fn statements(
             Instruction::Second(_) => continue,
         };
         let pattern = pattern(program, value, &read);
-        out.extend(quote!(#keyword #pattern = #expression;));
+        let part = usize::from(index >= count);
+        parts[part].extend(quote!(#keyword #pattern = #expression;));
     }
-    out
+    parts
 }
 
 /// Returns true if a value is always NaN.

@@ -7,8 +7,8 @@ use proc_macro2::TokenStream;
 use quote::{format_ident, quote};
 
 use super::array_types::{Types, start_type, starts_type};
-use super::compiled::program;
-use super::load::Places;
+use super::body::Runs;
+use super::load::{Places, loader};
 use super::outline::Outline;
 use super::{body, literal};
 use linkage_compiler::ir::CompiledMechanism;
@@ -27,7 +27,7 @@ pub(super) fn items(outline: &Outline, unit: &CompiledMechanism) -> TokenStream 
         let ty = start_type(outline, start);
         quote!(<#ty>::of::<T>(|__lane| &__lanes[__lane][#number]))
     });
-    let survey = program(outline, &unit.survey, body::outputs);
+    let survey = survey(outline, unit, &places);
     let state = outline.starts.iter().enumerate().map(|(number, start)| {
         let first = places.state(number, 0);
         let [number, first, end] = [number, first, first + start.size].map(literal::index);
@@ -52,7 +52,10 @@ pub(super) fn items(outline: &Outline, unit: &CompiledMechanism) -> TokenStream 
 
                 fn states(&self, __lanes: &[[#runtime::Start; #count]]) -> #states { (#(#starts,)*) }
 
-                fn survey(__core: &#runtime::CoreOf<Self>, __x: #arguments) -> [T; #numbers] {
+                fn survey<const __SLACKS: __p::bool>(
+                    __core: &#runtime::CoreOf<Self>,
+                    __x: #arguments,
+                ) -> [T; #numbers] {
                     const __FUSED: __p::bool = #runtime::FUSED;
                     let (__m, __modes, __prepared) = __core.loaded();
                     #survey
@@ -61,6 +64,23 @@ pub(super) fn items(outline: &Outline, unit: &CompiledMechanism) -> TokenStream 
             }
             #plain
         }
+    }
+}
+
+/// The body of the survey, which ends after the slacks if only they are asked for.
+fn survey(outline: &Outline, unit: &CompiledMechanism, places: &Places) -> TokenStream {
+    let runtime = &outline.runtime;
+    let slacks = 1..=unit.groups.len();
+    let (survey, count) = unit.survey.beginning_with(slacks.clone());
+    let load = loader(outline, places);
+    let [first, rest] = body::parts(&survey, Runs::Once, &load, count);
+    let slacks = slacks.map(|k| body::name(survey.outputs[k]));
+    let outputs = body::outputs(&survey);
+    quote! {
+        #first
+        if __SLACKS { return #runtime::slacks([#(#slacks),*]); }
+        #rest
+        #outputs
     }
 }
 
@@ -180,10 +200,10 @@ fn plain(outline: &Outline, unit: &CompiledMechanism) -> TokenStream {
             #[inline]
             fn bounds(
                 __data: &#runtime::DataOf<Self>,
-                __number: __p::usize,
+                __group: __p::usize,
             ) -> __p::Option<#runtime::Bounds<'static>> {
                 let __m = &#runtime::Sealed::core(__data).dimensions;
-                __p::Some(#runtime::bounds(__m.cast::<#runtime::Enclosure>(), __data, __number))
+                __p::Some(#runtime::bounds(__m.cast::<#runtime::Enclosure>(), __data, __group))
             }
         }
     });

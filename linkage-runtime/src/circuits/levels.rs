@@ -57,10 +57,14 @@ pub trait Levels {
     fn surveyor(&self, chosen: &Chosen, at: f64) -> Self::Assembly;
     /// Surveys an assembly at an input.
     fn survey(&self, assembly: &Self::Assembly, at: f64) -> Self::Survey;
-    /// Bounds of a number of the survey over inputs. Those of groups after a coupled one are not
+    /// The slack of a group at an input, as a survey has it.
+    fn slack(&self, assembly: &Self::Assembly, group: usize, at: f64) -> f64 {
+        self.survey(assembly, at).as_ref()[1 + group]
+    }
+    /// Bounds of the slack of a group over inputs. Those of groups after a coupled one are not
     /// known.
-    fn bounds(&self, assembly: &Self::Assembly, number: usize) -> Option<Bounds<'_>> {
-        let _ = (assembly, number);
+    fn bounds(&self, assembly: &Self::Assembly, group: usize) -> Option<Bounds<'_>> {
+        let _ = (assembly, group);
         None
     }
     /// The assembly in which all groups are chosen.

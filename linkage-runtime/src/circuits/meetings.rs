@@ -43,7 +43,7 @@ pub(super) fn meetings<M: Levels>(
                 touched.group == *group && touched.before == before && touched.inputs == leaf.inputs
             };
             let index = known.iter().position(same).unwrap_or_else(|| {
-                let slack = |x: f64| mechanism.survey(&assemblies[one], x).as_ref()[1 + group];
+                let slack = |x: f64| mechanism.slack(&assemblies[one], *group, x);
                 known.push(Touched {
                     group: *group,
                     before,

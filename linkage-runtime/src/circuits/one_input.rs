@@ -38,6 +38,14 @@ impl<C: PlainGroups> CircuitLevels<'_, C> {
     fn inputs(at: f64) -> C::Inputs {
         List::list(1, |_| at)
     }
+
+    fn surveyed<const SLACKS: bool>(&self, assembly: &C::Assembly, at: f64) -> C::Survey {
+        let data = C::data(assembly);
+        let x = self
+            .0
+            .arguments(AssemblyData::starts(data), &Self::inputs(at));
+        C::survey::<SLACKS>(AssemblyData::core(data), x)
+    }
 }
 
 impl<C: PlainGroups> Levels for CircuitLevels<'_, C> {
@@ -67,15 +75,15 @@ impl<C: PlainGroups> Levels for CircuitLevels<'_, C> {
     }
 
     fn survey(&self, assembly: &C::Assembly, at: f64) -> C::Survey {
-        let data = C::data(assembly);
-        let x = self
-            .0
-            .arguments(AssemblyData::starts(data), &Self::inputs(at));
-        C::survey(AssemblyData::core(data), x)
+        self.surveyed::<false>(assembly, at)
     }
 
-    fn bounds(&self, assembly: &C::Assembly, number: usize) -> Option<Bounds<'_>> {
-        C::bounds(C::data(assembly), number)
+    fn slack(&self, assembly: &C::Assembly, group: usize, at: f64) -> f64 {
+        self.surveyed::<true>(assembly, at).as_ref()[1 + group]
+    }
+
+    fn bounds(&self, assembly: &C::Assembly, group: usize) -> Option<Bounds<'_>> {
+        C::bounds(C::data(assembly), group)
     }
 
     fn assembled(&self, chosen: &Chosen, at: f64) -> Result<C::Assembly, AssemblyError> {

@@ -91,17 +91,18 @@ impl<'a, M: Levels> LevelSearch<'a, M> {
         let middle = before.known.unwrap_or_else(|| slab.x(0.0));
         let surveyor = self.mechanism.surveyor(&before.chosen, middle);
         let mechanism = self.mechanism;
-        let at = |x: f64| mechanism.survey(&surveyor, x).as_ref()[1 + group];
+        let at = |x: f64| mechanism.slack(&surveyor, group, x);
         let over = if before.is_coupled() {
             None
         } else {
-            mechanism.bounds(&surveyor, 1 + group)
+            mechanism.bounds(&surveyor, group)
         };
         let slack = Slack {
             at: &at,
             over: over.as_deref(),
             single: mode.is_none(),
             served: before.known.is_none(),
+            smooth: before.ends == [End::Range; 2],
         };
         let kind = self.searched.slacks.get(group);
         if mode.is_some() && is_folded(kind, &slab, samples, &at) {

@@ -28,9 +28,16 @@ impl Slab {
 
     /// The inputs of parameters from -1 to 1.
     pub(super) fn over(&self, u: Enclosure) -> Enclosure {
-        let [low, length, quarter, two, three] =
-            [self.low, self.high - self.low, 0.25, 2.0, 3.0].map(Enclosure::from_f64);
-        low + length * (quarter * (two + u * (three - u * u)))
+        let [low, quarter, two, three] =
+            [self.low, 0.25 * (self.high - self.low), 2.0, 3.0].map(Enclosure::from_f64);
+        low + quarter * (two + u * (three - u * u))
+    }
+
+    /// The inputs of parameters from -1 to 1 as a variable of their own, of which slopes have the
+    /// same sign.
+    pub(super) fn between(&self, u: Enclosure) -> Enclosure {
+        let [low, high] = u.range().map(|u| self.x(u));
+        Enclosure::over(low, high)
     }
 
     /// The slope of the input with respect to the parameter, compared with the middle.

@@ -36,6 +36,9 @@ pub(super) struct Slack<'a> {
     pub(super) single: bool,
     /// True if the slack is known up to the ends of the slab. Otherwise it is continued there.
     pub(super) served: bool,
+    /// True if the slack is a smooth function of the input up to the ends of the slab: no group turns
+    /// back there.
+    pub(super) smooth: bool,
 }
 
 /// All stretches of a slab where the slack is positive, or, `single`, where there is one.
@@ -63,7 +66,10 @@ pub(super) fn stretches(slab: &Slab, samples: usize, group_slack: &Slack<'_>) ->
     let size = size.fold(0.0, |most: f64, size| if size > most { size } else { most });
     let works = |point: Point| point.margin >= ROUNDING * size;
     let shown = group_slack.over.is_some_and(|over| {
-        let over = |u: Enclosure| over(slab.over(u));
+        let over = |u: Enclosure| match group_slack.smooth {
+            true => over(slab.between(u)),
+            false => over(slab.over(u)),
+        };
         let parts = parts(&over, group_slack.single, ROUNDING * size);
         // Ends within the slab: where signs change there is one between two of them.
         let between = parts.ends.into_iter().filter(|u| u.abs() < 1.0);

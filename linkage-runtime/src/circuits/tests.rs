@@ -150,23 +150,28 @@ fn the_best_node_is_far_from_singular() {
     assert_eq!(strand.best().u, 0.5);
 }
 
-/// The stretches with a positive slack, by 8 samples and, if given, by bounds.
+/// The stretches with a positive slack, by 8 samples and, if given, by bounds: of functions of the
+/// parameter and of the input.
 fn found(at: &dyn Fn(f64) -> f64, over: Option<&dyn Fn(Enclosure) -> Enclosure>) -> Vec<[f64; 2]> {
-    let slack = Slack {
-        at,
-        over,
-        single: false,
-        served: true,
-    };
     let input = |border: Border, end: f64| match border {
         Border::Slab => end,
         Border::Root(x) => x,
         Border::Broken(_) => f64::NAN,
     };
-    let found = stretches(&SLAB, 8, &slack).into_iter();
-    found
-        .map(|[from, to]| [input(from, SLAB.low), input(to, SLAB.high)])
-        .collect()
+    let [by_parameter, by_input] = [false, true].map(|smooth| {
+        let slack = Slack {
+            at,
+            over,
+            single: false,
+            served: true,
+            smooth,
+        };
+        let found = stretches(&SLAB, 8, &slack).into_iter();
+        let inputs = found.map(|[from, to]| [input(from, SLAB.low), input(to, SLAB.high)]);
+        inputs.collect::<Vec<_>>()
+    });
+    expect(&by_parameter, &by_input, 1e-14);
+    by_parameter
 }
 
 fn expect(found: &[[f64; 2]], stretches: &[[f64; 2]], within: f64) {

@@ -24,7 +24,7 @@ pub fn check_range_of<C: PlainGroups>(assembly: &C::Assembly) -> RangeReport {
         core.dimensions
             .arguments(AssemblyData::starts(data), &inputs)
     };
-    let survey = |x: &[f64]| C::survey(core, arguments(x)).as_ref().to_vec();
+    let survey = |x: &[f64]| C::survey::<false>(core, arguments(x)).as_ref().to_vec();
     let gaps = |x: &[f64]| {
         let (mechanism, modes, prepared) = core.loaded();
         mechanism

@@ -38,7 +38,8 @@ pub use description::Description;
 pub use group_programs::GroupPrograms;
 #[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]
 pub use grouped::{
-    Bounds, GroupData, GroupProgram, Grouped, PlainGroups, SurveyedUnknown, bounds, surveyed,
+    Bounds, GroupData, GroupProgram, Grouped, PlainGroups, SurveyedUnknown, bounds, slacks,
+    surveyed,
 };
 pub use list::List;
 #[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]

@@ -68,15 +68,7 @@ impl Program {
     /// The program without values that no output depends on.
     #[must_use]
     pub fn without_unused(self) -> Self {
-        let mut used = vec![false; self.instructions.len()];
-        for output in &self.outputs {
-            used[output.0] = true;
-        }
-        for (index, instruction) in self.instructions.iter().enumerate().rev() {
-            if used[index] {
-                instruction.operands().for_each(|x| used[x.0] = true);
-            }
-        }
+        let used = self.used(self.outputs.iter().copied());
         let mut places = Vec::with_capacity(used.len());
         let mut kept = Self::default();
         for (instruction, used) in self.instructions.into_iter().zip(used) {
@@ -97,6 +89,43 @@ impl Program {
             outputs: outputs.into_iter().map(|k| self.outputs[k]).collect(),
         };
         part.without_unused()
+    }
+
+    /// Returns the program with the instructions for some outputs, by their numbers, before all
+    /// others, and how many they are.
+    #[must_use]
+    pub fn beginning_with(&self, outputs: impl IntoIterator<Item = usize>) -> (Self, usize) {
+        let mut used = self.used(outputs.into_iter().map(|k| self.outputs[k]));
+        for (index, instruction) in self.instructions.iter().enumerate() {
+            // A second result stays right after the first.
+            if let Instruction::Second(first) = instruction {
+                used[index] = used[first.0];
+            }
+        }
+        let all = 0..used.len();
+        let (first, rest): (Vec<usize>, Vec<usize>) = all.partition(|&index| used[index]);
+        let mut places = vec![Value(0); used.len()];
+        let mut ordered = Self::default();
+        for &index in first.iter().chain(&rest) {
+            let instruction = self.instructions[index].with_operands(|x| places[x.0]);
+            places[index] = ordered.push(instruction);
+        }
+        ordered.outputs = self.outputs.iter().map(|x| places[x.0]).collect();
+        (ordered, first.len())
+    }
+
+    /// Marks the values that some values depend on, with themselves.
+    fn used(&self, values: impl IntoIterator<Item = Value>) -> Vec<bool> {
+        let mut used = vec![false; self.instructions.len()];
+        for value in values {
+            used[value.0] = true;
+        }
+        for (index, instruction) in self.instructions.iter().enumerate().rev() {
+            if used[index] {
+                instruction.operands().for_each(|x| used[x.0] = true);
+            }
+        }
+        used
     }
 
     /// Returns the prepared slots that the program loads, in the order of its instructions.
@@ -173,5 +202,29 @@ mod tests {
         assert!(!compares(Binary::Sub, [1, 1], false));
         assert!(!compares(Binary::Sub, [0, 1], true));
         assert!(!compares(Binary::Div, [0, 1], false));
+    }
+
+    #[test]
+    fn a_program_can_begin_with_some_outputs() {
+        let mut program = Program::default();
+        let slot = program.push(Instruction::Load(Source::Prepared(0)));
+        let angle = program.push(Instruction::Load(Source::Input(0)));
+        let sine = program.push(Instruction::SinCos(angle));
+        let cosine = program.push(Instruction::Second(sine));
+        let product = program.push(Instruction::Binary(Binary::Mul, slot, cosine));
+        let sum = program.push(Instruction::Binary(Binary::Add, angle, sine));
+        program.outputs = vec![product, sum, cosine];
+        let (ordered, count) = program.beginning_with([1]);
+        assert_eq!(count, 4);
+        assert_eq!(ordered.mistake(), None);
+        let instructions = &program.instructions;
+        let operations = [1, 2, 3, 5, 0, 4].map(|k: usize| instructions[k].class());
+        let found = ordered.instructions.iter().map(Instruction::class);
+        assert_eq!(found.collect::<Vec<_>>(), operations);
+        assert_eq!(ordered.part([1]), program.part([1]));
+        // All outputs are still computed in the same way.
+        assert_eq!(ordered.beginning_with([0, 1, 2]).1, 6);
+        assert_eq!(ordered.beginning_with([]), (ordered.clone(), 0));
+        assert_eq!(ordered.part([2]), program.part([2]));
     }
 }

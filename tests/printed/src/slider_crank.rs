@@ -540,47 +540,53 @@ const _: () = {
         fn states(&self, __lanes: &[[__p::Start; 0]]) -> () {
             ()
         }
-        fn survey(__core: &__p::CoreOf<Self>, __x: [T; 1]) -> [T; 5] {
+        fn survey<const __SLACKS: __p::bool>(
+            __core: &__p::CoreOf<Self>,
+            __x: [T; 1],
+        ) -> [T; 5] {
             const __FUSED: __p::bool = __p::FUSED;
             let (__m, __modes, __prepared) = __core.loaded();
-            let __v0 = T::from_f64(1.0f64);
-            let __v1 = __prepared[6];
-            let __v2 = __prepared[1];
-            let __v3 = __m.offset;
-            let __v4 = __m.crank;
-            let __v5 = __x[0];
-            let (__v6, __v7) = T::sin_cos_with::<__FUSED>(__v5);
-            let __v8 = T::mul_add::<__FUSED>(-__v4, __v6, __v3);
-            let __v9 = __v2 - __v8;
-            let __v10 = __v2 + __v8;
-            let __v11 = __v9 * __v10;
-            let __v12 = __prepared[2];
-            let __v13 = __v4 * __v7;
-            let __v14 = T::abs(__v13);
-            let __v15 = __v14 + __v2;
-            let __v16 = T::root_with::<__FUSED>(__v11, __v12, __v15);
-            let __v17 = __v1 * __v16;
-            let __v18 = T::min(__v0, __v17);
-            let __v19 = __prepared[7];
-            let __v20 = __v19 * __v11;
+            let __v0 = __prepared[1];
+            let __v1 = __m.offset;
+            let __v2 = __m.crank;
+            let __v3 = __x[0];
+            let (__v4, __v5) = T::sin_cos_with::<__FUSED>(__v3);
+            let __v6 = T::mul_add::<__FUSED>(-__v2, __v4, __v1);
+            let __v7 = __v0 - __v6;
+            let __v8 = __v0 + __v6;
+            let __v9 = __v7 * __v8;
+            let __v10 = __prepared[7];
+            let __v11 = __v10 * __v9;
+            if __SLACKS {
+                return __p::slacks([__v11]);
+            }
+            let __v12 = T::from_f64(1.0f64);
+            let __v13 = __prepared[6];
+            let __v14 = __prepared[2];
+            let __v15 = __v2 * __v5;
+            let __v16 = T::abs(__v15);
+            let __v17 = __v16 + __v0;
+            let __v18 = T::root_with::<__FUSED>(__v9, __v14, __v17);
+            let __v19 = __v13 * __v18;
+            let __v20 = T::min(__v12, __v19);
             let __v21 = __prepared[8];
-            let __v22 = __v21 * __v16;
+            let __v22 = __v21 * __v18;
             let __v23 = __prepared[4];
-            let __v24 = T::select(__v16, __v8, __v16);
+            let __v24 = T::select(__v18, __v6, __v18);
             let __v25 = __v23 * __v24;
             let __v26 = __prepared[0];
-            let __v27 = T::mul_add::<__FUSED>(-__v26, __v16, __v13);
-            [__v18, __v20, __v22, __v25, __v27]
+            let __v27 = T::mul_add::<__FUSED>(-__v26, __v18, __v15);
+            [__v20, __v11, __v22, __v25, __v27]
         }
     }
     impl __p::PlainGroups for SliderCrank<__p::f64> {
         #[inline]
         fn bounds(
             __data: &__p::DataOf<Self>,
-            __number: __p::usize,
+            __group: __p::usize,
         ) -> __p::Option<__p::Bounds<'static>> {
             let __m = &__p::Sealed::core(__data).dimensions;
-            __p::Some(__p::bounds(__m.cast::<__p::Enclosure>(), __data, __number))
+            __p::Some(__p::bounds(__m.cast::<__p::Enclosure>(), __data, __group))
         }
     }
     impl SliderCrank<__p::f64> {

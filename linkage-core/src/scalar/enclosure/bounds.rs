@@ -75,6 +75,14 @@ impl Bounds {
         self.low <= self.high
     }
 
+    fn is_zero(self) -> bool {
+        self.low == 0.0 && self.high == 0.0
+    }
+
+    fn is_finite(self) -> bool {
+        self.low.is_finite() && self.high.is_finite()
+    }
+
     pub(super) fn contains(self, x: f64) -> bool {
         self.low <= x && x <= self.high
     }
@@ -221,6 +229,13 @@ impl Add for Bounds {
     type Output = Self;
 
     fn add(self, other: Self) -> Self {
+        // Nothing is rounded.
+        if other.is_zero() {
+            return self;
+        }
+        if self.is_zero() {
+            return other;
+        }
         Self {
             low: self.low + other.low,
             high: self.high + other.high,
@@ -242,6 +257,11 @@ impl Mul for Bounds {
 
     fn mul(self, other: Self) -> Self {
         let (a, b) = (self, other);
+        // Slopes of constants are zero and stay so. Rounded, they would become the least numbers
+        // that there are, which processors multiply slowly.
+        if (a.is_zero() && b.is_finite()) || (b.is_zero() && a.is_finite()) {
+            return Self::ZERO;
+        }
         Self::around([
             a.low * b.low,
             a.low * b.high,
@@ -259,6 +279,9 @@ impl Div for Bounds {
         let (a, b) = (self, other);
         if b.contains(0.0) {
             return Self::UNKNOWN;
+        }
+        if a.is_zero() && b.is_finite() {
+            return Self::ZERO;
         }
         Self::around([
             a.low / b.low,

@@ -81,8 +81,9 @@ pub trait Grouped: Compiled {
     /// The initial states of all lanes.
     fn states(&self, lanes: &[Self::Lane]) -> Self::States;
 
-    /// Surveys an assembly.
-    fn survey(core: &CoreOf<Self>, x: Self::Arguments) -> Self::Survey;
+    /// Surveys an assembly. With `SLACKS` only the slacks are asked for, and the other numbers mean
+    /// nothing.
+    fn survey<const SLACKS: bool>(core: &CoreOf<Self>, x: Self::Arguments) -> Self::Survey;
 
     /// The state of a coupled group among arguments.
     fn state_mut(_x: &mut Self::Arguments, _number: usize) -> &mut [Self::Scalar] {
@@ -128,15 +129,23 @@ pub trait PlainGroups: Grouped<Scalar = f64, Plain = Self> {
         Vec::new()
     }
 
-    /// Bounds of a number of a survey over inputs, of a mechanism with one input. Those of groups
+    /// Bounds of the slack of a group over inputs, of a mechanism with one input. Those of groups
     /// after a coupled one are not known.
-    fn bounds(_data: &DataOf<Self>, _number: usize) -> Option<Bounds<'static>> {
+    fn bounds(_data: &DataOf<Self>, _group: usize) -> Option<Bounds<'static>> {
         None
     }
 }
 
-/// Bounds of a number of a survey by the programs of `enclosed`, the same mechanism over intervals.
-pub fn bounds<C, E>(enclosed: E, data: &DataOf<C>, number: usize) -> Bounds<'static>
+/// The survey of a mechanism of which only the slacks are known.
+#[inline(always)]
+pub fn slacks<T: Scalar, const G: usize, const N: usize>(slacks: [T; G]) -> [T; N] {
+    let mut survey = [T::from_f64(f64::NAN); N];
+    survey[1..=G].copy_from_slice(&slacks);
+    survey
+}
+
+/// Bounds of the slack of a group by the programs of `enclosed`, the same mechanism over intervals.
+pub fn bounds<C, E>(enclosed: E, data: &DataOf<C>, group: usize) -> Bounds<'static>
 where
     C: PlainGroups,
     E: Grouped<Scalar = Enclosure, Modes = C::Modes, Lane = C::Lane> + 'static,
@@ -157,7 +166,7 @@ where
     let core = prepared_core(&enclosed, &from.modes, revolutions);
     Box::new(move |x| {
         let x = core.dimensions.arguments(&states, &List::list(1, |_| x));
-        E::survey(&core, x).as_ref()[number]
+        E::survey::<true>(&core, x).as_ref()[1 + group]
     })
 }
 

@@ -72,7 +72,7 @@ impl<C: PlainGroups> MechanismPath<'_, C> {
         let mechanism = self.mechanism(share);
         let starts = Self::lane(initial_states);
         let (core, states) = surveyor(&mechanism, self.modes, &starts, self.at);
-        C::survey(&core, mechanism.arguments(&states, self.at))
+        C::survey::<false>(&core, mechanism.arguments(&states, self.at))
     }
 
     /// A coupled group at some share, with the initial states of those before it; `None` if there
