@@ -37,11 +37,12 @@ fn printed(found: &Result<Vec<BestCycle<Rocker, RockerAssembly>>, DesignError>) 
     }
 }
 
-/// A goal that adds a condition once, and knows an assembly only with that condition.
-struct Refined<O>(O);
+/// A goal that adds a condition once, and knows an assembly only with that condition. It sets the
+/// flag where it adds the condition.
+struct Refined<'a, O>(O, &'a AtomicBool);
 
 impl<O: CycleObjective<Rocker, RockerAssembly, N>> CycleObjective<Rocker, RockerAssembly, N>
-    for Refined<O>
+    for Refined<'_, O>
 {
     fn title(&self) -> String {
         self.0.title()
@@ -73,6 +74,7 @@ impl<O: CycleObjective<Rocker, RockerAssembly, N>> CycleObjective<Rocker, Rocker
         _: &Candidate<'_, Rocker, RockerAssembly>,
         chosen: Chosen<'_>,
     ) -> Vec<Vec<f64>> {
+        self.1.store(true, Ordering::Relaxed);
         match chosen.added.is_empty() {
             true => vec![vec![2.5]],
             false => Vec::new(),
@@ -112,7 +114,11 @@ fn every_division_has_the_same_optima() {
             .want(speed)
             .catalogue("frame", [138.0, 140.0, 142.0])
     };
-    let refined = || design().want(Refined(Highest(tip()).least())).starts(3);
+    static ADDED: AtomicBool = AtomicBool::new(false);
+    let refined = || {
+        let goal = Refined(Highest(tip()).least(), &ADDED);
+        design().want(goal).starts(3)
+    };
     let problems: [&dyn Fn() -> Problem<'static>; 4] = [&small, &worst, &catalogue, &refined];
     for (problem, optima) in problems.into_iter().zip([2, 1, 1, 1]) {
         let whole = problem().run_all();
@@ -184,6 +190,11 @@ fn missing_descents_are_made() {
     // A cancelled search keeps no descent that it did not finish.
     let cancelled = small().cancel(&stop).descend().expect("descents");
     assert_eq!((cancelled.done(), cancelled.count()), (0, 10));
+    let during = AtomicBool::new(false);
+    let goal = Refined(Highest(tip()).least(), &during);
+    let ended = design().want(goal).cancel(&during).descend();
+    assert!(during.load(Ordering::Relaxed));
+    assert_eq!(ended.expect("no descents").done(), 0);
 }
 
 #[test]
