@@ -386,6 +386,7 @@ struct Overview;
 /// see.
 #[doc(hidden)]
 pub mod __private {
+    #[cfg(feature = "alloc")]
     pub use crate::columns_and_sweeps::*;
     pub use crate::{columns, if_alloc, if_rayon, if_report, set_sweeps, sweeps};
     pub use core::convert::AsRef;
