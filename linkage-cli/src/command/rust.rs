@@ -34,8 +34,6 @@ pub(super) struct Options {
 enum Feature {
     /// Sweeps, assemblies, circuits
     Alloc,
-    /// Sweeps on all threads
-    Rayon,
     /// Tables of columns for reports and designs
     Report,
     /// Single calls alone
@@ -47,7 +45,6 @@ impl Feature {
     fn word(self) -> Option<&'static str> {
         match self {
             Self::Alloc => Some("if_alloc"),
-            Self::Rayon => Some("if_rayon"),
             Self::Report => Some("if_report"),
             Self::None => None,
         }

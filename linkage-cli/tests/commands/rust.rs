@@ -28,7 +28,7 @@ fn features_choose_items_and_mistakes_print_nothing() {
     let folder = folder("rust_features");
     printed(&folder, &["new", "slider.mech"]);
     let with = |features: &str| printed(&folder, &["rust", "slider.mech", "--features", features]);
-    let (few, all) = (with("none"), with("alloc,rayon,report"));
+    let (few, all) = (with("none"), with("alloc,report"));
     let has = |text: &str| {
         [
             "fn stroke(",
@@ -42,8 +42,12 @@ fn features_choose_items_and_mistakes_print_nothing() {
     assert_eq!(has(&all)[..3], [true; 3]);
     assert!(!all.contains("if_alloc") && !all.contains("if_report"));
     assert_eq!(all.matches("clippy::pedantic").count(), 1);
-    let said = refused(&folder, &["rust", "slider.mech", "--features", "rayons"], 2);
-    assert!(said.contains("invalid value 'rayons'"), "{said}");
+    let said = refused(
+        &folder,
+        &["rust", "slider.mech", "--features", "reports"],
+        2,
+    );
+    assert!(said.contains("invalid value 'reports'"), "{said}");
 
     let text = fs::read_to_string(folder.join("slider.mech")).expect("the mechanism");
     fs::write(folder.join("wrong.mech"), text.replace("40mm", "40kg")).expect("a file");
