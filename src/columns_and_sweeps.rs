@@ -32,29 +32,29 @@ macro_rules! columns {
 }
 
 /// The methods that sweep a function over its inputs; nothing without feature `alloc`. The module
-/// `by` has the functions that they call. Lists are those of their names, and of the arguments
-/// that no input has.
+/// behind `by` has the functions that they call. Lists are those of their names, and of the
+/// arguments that no input has.
 #[cfg(feature = "alloc")]
 #[doc(hidden)]
 #[macro_export]
 macro_rules! sweeps {
     (
         ($visibility:vis fn) $function:literal ($($argument:ident),*)
-        -> $columns:ident of [$result:ident; $width:literal] by $by:ident,
+        -> $columns:ident of [$result:ident; $width:literal] by $($by:ident)::+,
         [$sweep:ident, $into:ident, $slices:ident, $parallel_into:ident],
         [$columns_argument:ident, $slices_argument:ident]
     ) => {
         #[doc = concat!(" `", $function, "` at many positions: see [sweeps](Self#sweeps).")]
         #[must_use]
         $visibility fn $sweep(&self, $($argument: &[T]),*) -> $columns<T> {
-            $columns($crate::__private::$by::sweep(&self.__sealed, [$($argument),*]))
+            $columns($($by)::+::sweep(&self.__sealed, [$($argument),*]))
         }
 
         #[doc = concat!(
             " `", $function, "` at many positions, into columns that are there: see [sweeps](Self#sweeps)."
         )]
         $visibility fn $into(&self, $($argument: &[T],)* $columns_argument: &mut $columns<T>) {
-            $crate::__private::$by::sweep_into(
+            $($by)::+::sweep_into(
                 &self.__sealed,
                 [$($argument),*],
                 &mut $columns_argument.0,
@@ -65,7 +65,7 @@ macro_rules! sweeps {
             " `", $function, "` at many positions, into slices: see [sweeps](Self#sweeps)."
         )]
         $visibility fn $slices(&self, $($argument: &[T],)* $slices_argument: [&mut [T]; $width]) {
-            $crate::__private::$by::Slices::<$result<T>>::sweep(
+            $($by)::+::Slices::<$result<T>>::sweep(
                 &self.__sealed,
                 [$($argument),*],
                 $slices_argument,
@@ -82,9 +82,9 @@ macro_rules! sweeps {
                 $columns_argument: &mut $columns<T>,
             )
             where
-                T: $crate::__private::Send + $crate::__private::Sync,
+                T: ::core::marker::Send + ::core::marker::Sync,
             {
-                $crate::__private::$by::sweep_parallel_into(
+                $($by)::+::sweep_parallel_into(
                     &self.__sealed,
                     [$($argument),*],
                     &mut $columns_argument.0,
@@ -110,7 +110,7 @@ macro_rules! sweeps {
 macro_rules! set_sweeps {
     (
         ($visibility:vis fn) $function:literal ($($argument:ident),*)
-        -> $columns:ident of $mechanism:ident by $by:ident,
+        -> $columns:ident of $mechanism:ident by $($by:ident)::+,
         [$sweep:ident, $into:ident, $parallel_into:ident],
         [$sets_argument:ident, $columns_argument:ident]
     ) => {
@@ -121,7 +121,7 @@ macro_rules! set_sweeps {
             $sets_argument: &[$mechanism<T>],
             $($argument: &[T]),*
         ) -> $columns<T> {
-            $columns($crate::__private::$by::sweep_sets(
+            $columns($($by)::+::sweep_sets(
                 &self.__sealed,
                 $sets_argument,
                 [$($argument),*],
@@ -137,7 +137,7 @@ macro_rules! set_sweeps {
             $($argument: &[T],)*
             $columns_argument: &mut $columns<T>,
         ) {
-            $crate::__private::$by::sweep_sets_into(
+            $($by)::+::sweep_sets_into(
                 &self.__sealed,
                 $sets_argument,
                 [$($argument),*],
@@ -156,9 +156,9 @@ macro_rules! set_sweeps {
                 $columns_argument: &mut $columns<T>,
             )
             where
-                T: $crate::__private::Send + $crate::__private::Sync,
+                T: ::core::marker::Send + ::core::marker::Sync,
             {
-                $crate::__private::$by::sweep_sets_parallel_into(
+                $($by)::+::sweep_sets_parallel_into(
                     &self.__sealed,
                     $sets_argument,
                     [$($argument),*],

@@ -386,11 +386,12 @@ struct Overview;
 /// see.
 #[doc(hidden)]
 pub mod __private {
+    #[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]
+    pub use crate::columns_and_sweeps::followed_sweeps;
     #[cfg(feature = "alloc")]
-    pub use crate::columns_and_sweeps::*;
-    pub use crate::{columns, if_alloc, if_rayon, if_report, set_sweeps, sweeps};
+    pub use crate::columns_and_sweeps::{missing_sweeps, sweeps};
+    pub use crate::{columns, if_alloc, if_report, set_sweeps, sweeps};
     pub use core::convert::AsRef;
-    pub use core::marker::{Send, Sync};
     pub use core::ops::{Fn, FnOnce};
     pub use core::option::Option;
     pub use core::option::Option::{None, Some};

@@ -35,8 +35,8 @@ fn over_inputs(outline: &Outline, function: &Function) -> TokenStream {
     let title = plain(function.name);
     let width = literal::index(function.width());
     let by = match outline.complete {
-        true => quote!(sweeps),
-        false => quote!(missing_sweeps),
+        true => quote!(#runtime::sweeps),
+        false => quote!(#runtime::missing_sweeps),
     };
     let methods = names(
         function,
@@ -67,9 +67,9 @@ fn over_sets(outline: &Outline, function: &Function) -> TokenStream {
     } = function;
     let title = plain(function.name);
     let by = match (outline.complete, function.states.is_empty()) {
-        (true, true) => quote!(sweeps),
-        (true, false) => quote!(followed_sweeps),
-        (false, _) => quote!(missing_sweeps),
+        (true, true) => quote!(#runtime::sweeps),
+        (true, false) => quote!(#runtime::followed_sweeps),
+        (false, _) => quote!(#runtime::missing_sweeps),
     };
     let methods = names(
         function,

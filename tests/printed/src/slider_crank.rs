@@ -669,12 +669,12 @@ const _: () = {
             __p::call(&self.__sealed, [phi])
         }
         __p::sweeps! {
-            (pub fn) "stroke"(phi) -> StrokeColumns of[Stroke; 3] by sweeps,
+            (pub fn) "stroke"(phi) -> StrokeColumns of[Stroke; 3] by __p::sweeps,
             [stroke_sweep, stroke_sweep_into, stroke_sweep_slices,
             stroke_sweep_parallel_into], [columns, slices]
         }
         __p::set_sweeps! {
-            (pub fn) "stroke"(phi) -> StrokeColumns of SliderCrank by sweeps,
+            (pub fn) "stroke"(phi) -> StrokeColumns of SliderCrank by __p::sweeps,
             [stroke_sweep_sets, stroke_sweep_sets_into, stroke_sweep_sets_parallel_into],
             [sets, columns]
         }
@@ -818,12 +818,12 @@ const _: () = {
             __p::call(&self.__sealed, [phi])
         }
         __p::sweeps! {
-            (pub fn) "accuracy"(phi) -> AccuracyColumns of[Accuracy; 5] by sweeps,
+            (pub fn) "accuracy"(phi) -> AccuracyColumns of[Accuracy; 5] by __p::sweeps,
             [accuracy_sweep, accuracy_sweep_into, accuracy_sweep_slices,
             accuracy_sweep_parallel_into], [columns, slices]
         }
         __p::set_sweeps! {
-            (pub fn) "accuracy"(phi) -> AccuracyColumns of SliderCrank by sweeps,
+            (pub fn) "accuracy"(phi) -> AccuracyColumns of SliderCrank by __p::sweeps,
             [accuracy_sweep_sets, accuracy_sweep_sets_into,
             accuracy_sweep_sets_parallel_into], [sets, columns]
         }
@@ -1004,12 +1004,12 @@ const _: () = {
             __p::call(&self.__sealed, [phi])
         }
         __p::sweeps! {
-            (pub fn) "shape"(phi) -> ShapeColumns of[Shape; 10] by sweeps, [shape_sweep,
-            shape_sweep_into, shape_sweep_slices, shape_sweep_parallel_into], [columns,
-            slices]
+            (pub fn) "shape"(phi) -> ShapeColumns of[Shape; 10] by __p::sweeps,
+            [shape_sweep, shape_sweep_into, shape_sweep_slices,
+            shape_sweep_parallel_into], [columns, slices]
         }
         __p::set_sweeps! {
-            (pub fn) "shape"(phi) -> ShapeColumns of SliderCrank by sweeps,
+            (pub fn) "shape"(phi) -> ShapeColumns of SliderCrank by __p::sweeps,
             [shape_sweep_sets, shape_sweep_sets_into, shape_sweep_sets_parallel_into],
             [sets, columns]
         }
