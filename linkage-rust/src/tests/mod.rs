@@ -72,7 +72,7 @@ fn an_argument_may_be_called_columns() {
     def.functions[0].inputs = vec![quote::format_ident!("columns")];
     let text = emit(&quote!(::linkage), &def, &unit, &|_, _| String::new()).to_string();
     let sweeps = quote! {
-        (pub fn) "path" (columns) -> PathColumns of [Path; 3] by sweeps,
+        (pub fn) "path" (columns) -> PathColumns of [Path; 3] by __p::sweeps,
         [path_sweep, path_sweep_into, path_sweep_slices, path_sweep_parallel_into], [__columns, slices]
     };
     assert_contains(&text, &[&sweeps.to_string()]);

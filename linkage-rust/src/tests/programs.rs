@@ -150,6 +150,17 @@ fn function(name: &str, arguments: Vec<usize>, program: Program, fields: Vec<Fie
     }
 }
 
+/// The margin, and the slack of the only group: how far the rod is longer than the pin is high.
+fn survey() -> Program {
+    let mut out = Builder::default();
+    let [_, pin_y] = out.pin();
+    let rod2 = out.load(Source::Prepared(0));
+    let square = out.binary(Binary::Mul, pin_y, pin_y);
+    let slack = out.binary(Binary::Sub, rod2, square);
+    let margin = out.binary(Binary::Div, slack, rod2);
+    out.finish(vec![margin, slack])
+}
+
 /// Every program of the slider-crank.
 pub(crate) fn unit() -> CompiledMechanism {
     let field = |name: &str, shape: Shape, unit: &str| Field {
@@ -173,6 +184,7 @@ pub(crate) fn unit() -> CompiledMechanism {
     CompiledMechanism {
         prepare: prepare(),
         gaps: gaps(),
+        survey: survey(),
         directions: angles(),
         angles: vec![angle(0, 0.0), angle(1, 0.5)],
         functions: vec![
