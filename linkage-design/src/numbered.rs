@@ -1,6 +1,5 @@
 //! Results of numbered searches of one problem, which several processes made.
 
-use core::ops::Range;
 use std::collections::BTreeMap;
 use std::vec::Vec;
 
@@ -12,7 +11,7 @@ use super::DesignError;
 const SAME: f64 = 1e-6;
 
 /// All searches: the first part of one.
-pub(crate) const WHOLE: [usize; 2] = [0, 1];
+pub const WHOLE: [usize; 2] = [0, 1];
 
 /// Results of some searches, by their numbers.
 #[derive(Clone, Debug, PartialEq)]
@@ -68,21 +67,10 @@ impl<R: Clone> Numbered<R> {
         if self.problem != other.problem {
             return Err(DesignError::OtherProblem);
         }
-        let mut numbers = other.results.keys();
-        if numbers.any(|number| self.results.contains_key(number)) {
-            return Err(DesignError::Repeated);
+        match unite(&mut self.results, &other.results) {
+            true => Ok(()),
+            false => Err(DesignError::Repeated),
         }
-        let results = other.results.iter();
-        self.results
-            .extend(results.map(|(&number, result)| (number, result.clone())));
-        Ok(())
-    }
-
-    /// The numbers of a part of so many searches that have no result.
-    pub(crate) fn missing(&self, part: [usize; 2], count: usize) -> Vec<usize> {
-        part_of(part, count)
-            .filter(|number| !self.results.contains_key(number))
-            .collect()
     }
 
     /// Problem and results as bytes, after those of the format.
@@ -96,11 +84,7 @@ impl<R: Clone> Numbered<R> {
         out.varying(*starts as u64);
         out.fixed(*digest);
         write_numbers(&mut out, probes);
-        out.varying(self.results.len() as u64);
-        for (&number, result) in &self.results {
-            out.varying(number as u64);
-            write(&mut out, result);
-        }
+        write_results(&mut out, &self.results, write);
         out.finish()
     }
 
@@ -110,16 +94,13 @@ impl<R: Clone> Numbered<R> {
         begin: &[u8; 8],
         read: impl Fn(&mut Reader<'_>) -> Option<R>,
     ) -> Result<Self, DesignError> {
-        let all = |mut bytes: Reader<'_>| {
+        let all = move |mut bytes: Reader<'_>| {
             let problem = Identity {
                 starts: bytes.index()?,
                 digest: bytes.fixed()?,
                 probes: read_numbers(&mut bytes)?,
             };
-            let results: Option<BTreeMap<_, _>> = (0..bytes.varying()?)
-                .map(|_| Some((bytes.index()?, read(&mut bytes)?)))
-                .collect();
-            let results = results?;
+            let results = read_results(&mut bytes, read)?;
             bytes.is_empty().then_some(Self { problem, results })
         };
         let found = Reader::new(bytes, begin).and_then(all);
@@ -127,10 +108,51 @@ impl<R: Clone> Numbered<R> {
     }
 }
 
-/// The numbers of a part, given with the number of parts, of so many searches: nearly as many as in
-/// each other part.
-pub(crate) fn part_of([part, of]: [usize; 2], count: usize) -> Range<usize> {
-    count * part / of..count * (part + 1) / of
+/// Adds other results. Returns false if some search has two, and then nothing changes.
+#[must_use]
+pub fn unite<R: Clone>(results: &mut BTreeMap<usize, R>, others: &BTreeMap<usize, R>) -> bool {
+    let separate = others.keys().all(|number| !results.contains_key(number));
+    if separate {
+        let others = others.iter();
+        results.extend(others.map(|(&number, result)| (number, result.clone())));
+    }
+    separate
+}
+
+/// The numbers of a part, given with the number of parts, of so many searches that have no result.
+/// Parts have nearly as many searches each.
+pub fn missing<R>(
+    results: &BTreeMap<usize, R>,
+    [part, of]: [usize; 2],
+    count: usize,
+) -> Vec<usize> {
+    let numbers = count * part / of..count * (part + 1) / of;
+    numbers
+        .filter(|number| !results.contains_key(number))
+        .collect()
+}
+
+/// Writes results with their numbers.
+pub fn write_results<R>(
+    out: &mut Writer,
+    results: &BTreeMap<usize, R>,
+    write: impl Fn(&mut Writer, &R),
+) {
+    out.varying(results.len() as u64);
+    for (&number, result) in results {
+        out.varying(number as u64);
+        write(out, result);
+    }
+}
+
+/// Reads the bytes of [`write_results`].
+pub fn read_results<R>(
+    bytes: &mut Reader<'_>,
+    read: impl Fn(&mut Reader<'_>) -> Option<R>,
+) -> Option<BTreeMap<usize, R>> {
+    (0..bytes.varying()?)
+        .map(|_| Some((bytes.index()?, read(bytes)?)))
+        .collect()
 }
 
 /// Writes a list with its length.

@@ -5,6 +5,7 @@ use std::boxed::Box;
 use std::vec::Vec;
 
 use super::builder::Design;
+use super::numbered::missing;
 use super::part::starts_of;
 use super::problem::Problem;
 use super::results::Results;
@@ -168,7 +169,7 @@ where
             descents.merge(part)?;
         }
         let count = self.settings.starts.div_ceil(BLOCK);
-        let missing = descents.blocks.missing(self.part, count);
+        let missing = missing(&descents.blocks.results, self.part, count);
         let starts: Vec<_> = missing
             .iter()
             .map(|&number| starts_of(number, self.settings.starts))

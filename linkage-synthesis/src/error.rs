@@ -2,6 +2,7 @@
 
 use core::error::Error;
 use core::fmt;
+use linkage_design::DesignError;
 
 /// Why a synthesis has no listing of its solutions.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -132,19 +133,14 @@ impl fmt::Display for Unsolved {
                 "the equations have more than {most} solutions, complex ones counted; that is our limit: \
                  use fewer or simpler equations"
             ),
-            Self::Part { part, of } => write!(
-                f,
-                "there is no part {part} of {of}: parts are counted from 0, and there is at least one"
-            ),
+            Self::Part { part, of } => write!(f, "{}", DesignError::Part { part, of }),
             Self::OtherProblem => f.write_str(
                 "these paths are of another problem: the points must be the same for all parts",
             ),
             Self::Repeated => f.write_str(
                 "both parts have the same paths: each part of a search is merged once",
             ),
-            Self::NoPart => f.write_str(
-                "these bytes are no part of a search, or some of them are missing or changed; write them again by `to_bytes`",
-            ),
+            Self::NoPart => write!(f, "{}", DesignError::NoPart),
             Self::Unlisted(unlisted) => write!(f, "{unlisted}"),
         }
     }

@@ -9,7 +9,7 @@ use std::vec::Vec;
 
 use super::super::DesignError;
 use super::super::limits::Limits;
-use super::super::numbered::{Identity, Numbered};
+use super::super::numbered::{Identity, Numbered, missing};
 use super::super::settings::Settings;
 use super::descents::{Descents, Optimum};
 use super::ended::Ended;
@@ -128,7 +128,7 @@ impl CyclePart {
     }
 
     pub(super) fn missing(&self, part: [usize; 2]) -> Vec<usize> {
-        self.descents.missing(part, self.count())
+        missing(&self.descents.results, part, self.count())
     }
 
     pub(super) fn add(&mut self, number: usize, end: Descended) {

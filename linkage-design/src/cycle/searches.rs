@@ -7,7 +7,7 @@ use std::string::String;
 use std::vec;
 use std::vec::Vec;
 
-use super::super::numbered::part_of;
+use super::super::numbered::missing;
 use super::super::refusals::{Fate, Tally};
 use super::super::rounds::in_rounds;
 use super::super::settings::{End, Report};
@@ -73,10 +73,7 @@ where
         self.with_descents(beginning, &stopped, |all| {
             let titles = titles(self.objectives);
             let known = self.known_ends(all, beginning.known)?;
-            let is_missing = |number: &usize| !known.contains_key(number);
-            let count = all.len() * beginning.starts;
-            let numbers = part_of(beginning.part, count).filter(is_missing);
-            let missing: Vec<usize> = numbers.collect();
+            let missing = missing(&known, beginning.part, all.len() * beginning.starts);
             // The first start is always begun: the mechanism that is there may be all that is found
             // in time.
             let begun = |number: usize| number == 0 || !stopped();
@@ -104,10 +101,7 @@ where
         let stopped = || end.reached();
         self.with_descents(beginning, &stopped, |all| {
             let titles = titles(self.objectives);
-            let mut part = CyclePart::new(all, &self.design.settings);
-            for known in beginning.known {
-                part.merge(known)?;
-            }
+            let mut part = self.united(all, beginning.known)?;
             let missing = part.missing(beginning.part);
             // A search that is ended early has another end in a search without a limit.
             let from = |number: usize| {
@@ -129,11 +123,18 @@ where
         if parts.is_empty() {
             return Ok(BTreeMap::new());
         }
-        let mut known = CyclePart::new(all, &self.design.settings);
-        for part in parts {
-            known.merge(part)?;
-        }
-        Ok(known.into_ends())
+        Ok(self.united(all, parts)?.into_ends())
+    }
+
+    /// The descents of all parts.
+    fn united(
+        &self,
+        all: &[Descents<'_, M, A, N>],
+        parts: &[CyclePart],
+    ) -> Result<CyclePart, DesignError> {
+        let mut united = CyclePart::new(all, &self.design.settings);
+        parts.iter().try_for_each(|part| united.merge(part))?;
+        Ok(united)
     }
 
     /// Passes the searches in the modes of each assembly to `then`: the first ones are in the modes

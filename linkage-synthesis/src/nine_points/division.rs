@@ -11,6 +11,7 @@ use super::stored_solutions;
 use super::task::Task;
 use linkage_core::numeric::complex::Complex;
 use linkage_design::Progress;
+use linkage_design::internals::{WHOLE, missing, unite};
 use std::boxed::Box;
 use std::vec::Vec;
 
@@ -65,7 +66,7 @@ impl<'a> NinePointsSearch<'a> {
             points: *points,
             task: Task::new(points)?,
             starts: stored_solutions::solutions(),
-            part: [0, 1],
+            part: WHOLE,
             known: Vec::new(),
             report: Box::new(|_| true),
         })
@@ -108,10 +109,7 @@ impl<'a> NinePointsSearch<'a> {
             return Err(Unsolved::Part { part, of });
         }
         let mut paths = self.merged()?;
-        let count = self.starts.len();
-        let numbers = count * part / of..count * (part + 1) / of;
-        let is_missing = |number: &usize| !paths.ends.contains_key(number);
-        let missing: Vec<usize> = numbers.filter(is_missing).collect();
+        let missing = missing(&paths.ends, self.part, self.starts.len());
         let ends = follow(&self.task, &self.starts, &missing, &mut self.report);
         paths.ends.extend(ends);
         Ok(paths)
@@ -164,14 +162,10 @@ impl NinePointsPart {
         if self.points != part.points {
             return Err(Unsolved::OtherProblem);
         }
-        let mut numbers = part.ends.keys();
-        if numbers.any(|number| self.ends.contains_key(number)) {
-            return Err(Unsolved::Repeated);
+        match unite(&mut self.ends, &part.ends) {
+            true => Ok(()),
+            false => Err(Unsolved::Repeated),
         }
-        let ends = part.ends.iter();
-        self.ends
-            .extend(ends.map(|(&number, end)| (number, end.clone())));
-        Ok(())
     }
 
     /// The number of paths that have been followed.

@@ -5,10 +5,11 @@ use super::super::super::certificate::Certificate;
 use super::super::super::error::Unsolved;
 use super::super::cognates::Mark;
 use super::super::equations::ALL;
-use super::super::search::{Ends, FoundSolution};
+use super::super::search::FoundSolution;
 use super::NinePointsPart;
 use linkage_core::bytes::{Reader, Writer};
 use linkage_core::numeric::complex::Complex;
+use linkage_design::internals::{read_results, write_results};
 use std::vec::Vec;
 
 /// The first bytes: the format and its version.
@@ -27,11 +28,7 @@ impl NinePointsPart {
         let mut out = Writer::new(BEGIN);
         let coordinates = self.points.iter().flatten();
         coordinates.for_each(|&number| out.float(number));
-        out.varying(self.ends.len() as u64);
-        for (&number, end) in &self.ends {
-            out.varying(number as u64);
-            write(&mut out, end.as_ref());
-        }
+        write_results(&mut out, &self.ends, |out, end| write(out, end.as_ref()));
         out.finish()
     }
 
@@ -51,10 +48,7 @@ fn part(mut bytes: Reader<'_>) -> Option<NinePointsPart> {
     for number in points.iter_mut().flatten() {
         *number = bytes.float()?;
     }
-    let ends: Option<Ends> = (0..bytes.varying()?)
-        .map(|_| Some((bytes.index()?, read(&mut bytes)?)))
-        .collect();
-    let ends = ends?;
+    let ends = read_results(&mut bytes, read)?;
     bytes.is_empty().then_some(NinePointsPart { points, ends })
 }
 
