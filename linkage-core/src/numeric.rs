@@ -4,7 +4,6 @@
 //! For the compiler and generated code, which shall do the same: what they need may change with
 //! every version, so users do not see it.
 
-mod array;
 pub mod bracket;
 #[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]
 pub mod cholesky;
@@ -28,8 +27,6 @@ pub mod range;
 pub mod rank;
 #[cfg(feature = "alloc")]
 pub mod roots;
-#[cfg(feature = "alloc")]
-mod sorted;
 pub mod vector;
 #[cfg(any(feature = "std", feature = "libm"))]
 pub mod winding;

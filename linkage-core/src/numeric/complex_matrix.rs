@@ -1,6 +1,5 @@
 //! Small dense systems of linear equations in complex numbers.
 
-use super::array::array;
 use super::complex::{Complex, ONE, ZERO};
 
 pub type Vector<const N: usize> = [Complex; N];
@@ -14,12 +13,7 @@ pub fn size<const N: usize>(vector: &Vector<N>) -> f64 {
 
 #[inline(always)]
 pub fn sum<const N: usize>(a: &Vector<N>, b: &Vector<N>) -> Vector<N> {
-    array(|j| a[j] + b[j])
-}
-
-#[inline(always)]
-pub fn negative<const N: usize>(vector: &Vector<N>) -> Vector<N> {
-    array(|j| -vector[j])
+    core::array::from_fn(|j| a[j] + b[j])
 }
 
 /// Solves `matrix * x = right` for several right sides in place, two equations by determinants.
@@ -86,7 +80,7 @@ fn eliminate<const N: usize, const R: usize>(
     right: &mut [Vector<N>; R],
     measure: impl Fn(f64, f64) -> f64,
 ) -> f64 {
-    let mut scales: [f64; N] = array(|row| 1.0 / size(&matrix[row]));
+    let mut scales = matrix.map(|row| 1.0 / size(&row));
     let mut smallest = f64::INFINITY;
     let mut inverses = [ZERO; N];
     for column in 0..N {
@@ -106,7 +100,7 @@ fn eliminate<const N: usize, const R: usize>(
         smallest = pivot.min(smallest);
         inverses[column] = matrix[column][column].inverse();
         let (upper, lower) = matrix.split_at_mut(column + 1);
-        let factors: Vector<N> = array(|row| match lower.get(row) {
+        let factors: Vector<N> = core::array::from_fn(|row| match lower.get(row) {
             Some(lower) => lower[column] * inverses[column],
             None => ZERO,
         });
@@ -140,6 +134,6 @@ pub fn inverse<const N: usize>(matrix: &Matrix<N>) -> Option<Matrix<N>> {
     }
     let pivot = solve_scaled(&mut matrix.clone(), &mut columns);
     // The right sides are columns of the inverse.
-    let inverse = array(|row| array(|column| columns[column][row]));
+    let inverse = core::array::from_fn(|row| core::array::from_fn(|column| columns[column][row]));
     (pivot > 0.0).then_some(inverse)
 }

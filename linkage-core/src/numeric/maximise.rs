@@ -1,7 +1,6 @@
 //! The highest point of a function without derivatives over a range.
 
 use super::golden_section::{Point, descend};
-use super::sorted::sorted;
 use alloc::vec::Vec;
 
 /// The number of highest samples that are refined.
@@ -67,8 +66,8 @@ fn summits(values: &[f64]) -> Vec<usize> {
             && height(i) >= height(i.saturating_sub(1))
             && height(i) >= height((i + 1).min(last))
     };
-    let summits: Vec<usize> = (0..values.len()).filter(is_summit).collect();
-    let mut summits = sorted(&summits, |&a, &b| height(b).total_cmp(&height(a)));
+    let mut summits: Vec<usize> = (0..values.len()).filter(is_summit).collect();
+    summits.sort_by(|&a, &b| height(b).total_cmp(&height(a)));
     summits.truncate(SUMMITS);
     summits
 }

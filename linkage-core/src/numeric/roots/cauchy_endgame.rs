@@ -7,9 +7,8 @@
 
 use super::homotopy::Homotopy;
 use super::rough_root::rough_root;
-use crate::numeric::array::array;
 use crate::numeric::complex::{Complex, ONE, ZERO};
-use crate::numeric::complex_matrix::{Vector, negative, size, solve, sum};
+use crate::numeric::complex_matrix::{Vector, size, solve, sum};
 use alloc::vec::Vec;
 
 /// A closed way around the end of a path.
@@ -63,7 +62,7 @@ pub(super) fn around<const N: usize>(
             direction = if step < POINTS { direction * STEP } else { ONE };
             point = led(homotopy, &point, direction.scaled(t), HALVINGS)?;
         }
-        let apart: Vector<N> = array(|j| point.x[j] - begin[j]);
+        let apart: Vector<N> = core::array::from_fn(|j| point.x[j] - begin[j]);
         if size(&apart) < CLOSED * CLOSED {
             return Some(Cycle::through(&way));
         }
@@ -75,8 +74,8 @@ impl<const N: usize> Cycle<N> {
     fn through(way: &[Vector<N>]) -> Self {
         let share = 1.0 / way.len() as f64;
         let total = way.iter().fold([ZERO; N], |total, x| sum(&total, x));
-        let middle = array(|j| total[j].scaled(share));
-        let extent = array(|j| {
+        let middle = total.map(|component| component.scaled(share));
+        let extent = core::array::from_fn(|j| {
             let squares = way.iter().map(|x| (x[j] - middle[j]).square());
             // Two digits are enough of it.
             rough_root(squares.fold(0.0, f64::max))
@@ -93,7 +92,7 @@ fn led<const N: usize>(
     halvings: u32,
 ) -> Option<Point<N>> {
     let way = t - from.t;
-    let predicted = array(|j| from.x[j] + from.tangent[j] * way);
+    let predicted = core::array::from_fn(|j| from.x[j] + from.tangent[j] * way);
     if let Some(point) = corrected(homotopy, &predicted, t) {
         return Some(point);
     }
@@ -125,7 +124,10 @@ fn correction<const N: usize>(
     t: Complex,
 ) -> Option<(Vector<N>, Vector<N>)> {
     let mut evaluation = homotopy.evaluate_beside(x, t);
-    let mut right = [negative(&evaluation.values), negative(&evaluation.drift)];
+    let mut right = [
+        evaluation.values.map(|value| -value),
+        evaluation.drift.map(|drift| -drift),
+    ];
     let pivot = solve(&mut evaluation.matrix, &mut right);
     let [correction, tangent] = right;
     (pivot > 0.0).then_some((correction, tangent))

@@ -3,7 +3,6 @@
 use super::endgame::{PathEnd, Root};
 use super::path_trace::Trace;
 use super::projective::ProjectivePoint;
-use crate::numeric::sorted::sorted;
 use alloc::vec::Vec;
 
 /// Number of paths with an uncertain end.
@@ -36,8 +35,8 @@ fn duplicates<const N: usize>(roots: &[Root<N>]) -> usize {
 
 /// Number of places that are nearer to another one than their radius; no radius is above
 /// `largest`.
-fn count_equal<const N: usize>(places: Vec<(ProjectivePoint<N>, f64)>, largest: f64) -> usize {
-    let places = sorted(&places, |a, b| a.0.key().total_cmp(&b.0.key()));
+fn count_equal<const N: usize>(mut places: Vec<(ProjectivePoint<N>, f64)>, largest: f64) -> usize {
+    places.sort_by(|a, b| a.0.key().total_cmp(&b.0.key()));
     let mut equal = 0;
     for (index, (point, radius)) in places.iter().enumerate() {
         let key = point.key();

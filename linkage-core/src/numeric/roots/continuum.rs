@@ -3,7 +3,6 @@
 use super::homotopy::Homotopy;
 use super::projective::ProjectivePoint;
 use super::rough_root::rough_root;
-use crate::numeric::array::array;
 use crate::numeric::complex::{Complex, ZERO};
 use crate::numeric::complex_matrix::{Matrix, Vector, solve};
 
@@ -61,7 +60,7 @@ fn slack<const N: usize>(
     for _ in 0..STEPS {
         let (values, mut matrix) = homotopy.target(&x);
         terms = largest_term(&matrix, &x);
-        let mut right = [array(|i| -(values[i] + weight(i) * slack))];
+        let mut right = [core::array::from_fn(|i| -(values[i] + weight(i) * slack))];
         for (i, row) in matrix.iter_mut().enumerate() {
             row[along] = weight(i);
         }

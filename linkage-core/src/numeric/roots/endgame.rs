@@ -7,10 +7,9 @@ use super::path_samples::PathSample;
 use super::path_tracker::PathTracker;
 use super::projective::ProjectivePoint;
 use super::rough_root::rough_root;
-use crate::numeric::array::array;
 use crate::numeric::choose_assembly::MEETING;
 use crate::numeric::complex::Complex;
-use crate::numeric::complex_matrix::{Matrix, Vector, negative, size, solve, sum};
+use crate::numeric::complex_matrix::{Matrix, Vector, size, solve, sum};
 use alloc::vec::Vec;
 
 /// The end of a path.
@@ -114,7 +113,7 @@ fn arrive<const N: usize>(tracker: &mut PathTracker<'_, N>) -> Option<Root<N>> {
     let predicted = tracker.predict(0.0);
     let (x, last) = polish(tracker.homotopy, &predicted)?;
     let reach = reach(tracker.homotopy, &x)?;
-    let way: Vector<N> = array(|j| x[j] - predicted[j]);
+    let way: Vector<N> = core::array::from_fn(|j| x[j] - predicted[j]);
     let near = size(&way) < reach * reach;
     (near && last < SETTLED * reach).then(|| Root {
         point: tracker.homotopy.projective_point(x),
@@ -136,7 +135,7 @@ pub(super) fn polish<const N: usize>(
     let mut last = 4.0 * LONGEST;
     for _ in 0..MOST {
         let (values, mut matrix) = homotopy.target(&x);
-        let mut right = [negative(&values)];
+        let mut right = [values.map(|value| -value)];
         let pivot = solve(&mut matrix, &mut right);
         let length = size(&right[0]);
         if pivot == 0.0 || !length.is_finite() {
@@ -166,8 +165,9 @@ fn reach<const N: usize>(homotopy: &mut Homotopy<N>, x: &Vector<N>) -> Option<f6
         let mut beside = *x;
         beside[k] += Complex::new(DIFFERENCE, 0.0);
         let (_, shifted) = homotopy.target(&beside);
-        let mut columns: Matrix<N> =
-            array(|column| array(|row| shifted[row][column] - matrix[row][column]));
+        let mut columns: Matrix<N> = core::array::from_fn(|column| {
+            core::array::from_fn(|row| shifted[row][column] - matrix[row][column])
+        });
         // Derivatives of a matrix that is singular, apart from rounding errors, prove nothing.
         if solve(&mut matrix.clone(), &mut columns) < UNCERTAIN * UNCERTAIN {
             return None;

@@ -6,7 +6,6 @@ use super::projective::ProjectivePoint;
 use super::quadratic::Quadratics;
 use super::start_system::{self, Univariate};
 use super::system::HIGHEST_DEGREE;
-use crate::numeric::array::array;
 use crate::numeric::complex::{Complex, ONE, ZERO};
 use crate::numeric::complex_matrix::{Matrix, Vector};
 use alloc::vec::Vec;
@@ -47,7 +46,7 @@ struct Powers {
 
 impl<const N: usize> Homotopy<N> {
     pub(super) fn new(target: &[Polynomial], attempt: usize) -> Self {
-        let narrow = |wide: &[u8]| array(|j| wide[j]);
+        let narrow = |wide: &[u8]| core::array::from_fn(|j| wide[j]);
         let equations = core::array::from_fn(|i| Equation {
             terms: target[i]
                 .terms
@@ -75,7 +74,7 @@ impl<const N: usize> Homotopy<N> {
             factors,
             constants,
             flipped: [false; N],
-            highest: array(|j| highest(j).unwrap_or(0).into()),
+            highest: core::array::from_fn(|j| highest(j).unwrap_or(0).into()),
             powers: [powers; N],
         }
     }
@@ -146,9 +145,9 @@ impl<const N: usize> Homotopy<N> {
                 *slope += (*start - *slope) * t;
             }
         }
-        let drift: Vector<N> = array(|i| start.values[i] - target[i]);
+        let drift: Vector<N> = core::array::from_fn(|i| start.values[i] - target[i]);
         Evaluation {
-            values: array(|i| target[i] + drift[i] * t),
+            values: core::array::from_fn(|i| target[i] + drift[i] * t),
             matrix,
             drift,
         }
@@ -176,7 +175,7 @@ impl<const N: usize> Homotopy<N> {
         let mut drift = [ZERO; N];
         for i in 0..N {
             let row = &mut matrix[i];
-            *row = array(|j| row[j].scaled(1.0 - t));
+            *row = row.map(|slope| slope.scaled(1.0 - t));
             let degrees = &self.equations[i].degrees;
             let factor = |j: usize| self.factors[i][j].evaluate(x[j]);
             let start = product(self.constants[i], degrees, factor, ONE.scaled(t), row);

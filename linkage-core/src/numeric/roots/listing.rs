@@ -11,7 +11,6 @@ use super::precise;
 use super::projective::ProjectivePoint;
 use super::real;
 use super::system::{Listing, Unlisted, Variable};
-use crate::numeric::array::array;
 use alloc::vec::Vec;
 
 /// The number of attempts to follow all paths, each from another start system and with smaller
@@ -28,7 +27,8 @@ pub(super) fn list<const N: usize>(
 ) -> Result<Listing, Unlisted> {
     polynomial::fill(target, N);
     let count = variables.len();
-    let variables: [Variable; N] = array(|j| variables.get(j).copied().unwrap_or(Variable::Length));
+    let variables: [Variable; N] =
+        core::array::from_fn(|j| variables.get(j).copied().unwrap_or(Variable::Length));
     let mut doubts = paths;
     for attempt in 0..ATTEMPTS {
         let mut homotopy = Homotopy::<N>::new(target, attempt);

@@ -1,6 +1,5 @@
 //! The last points of a path, and the polynomial through them that tells where it goes.
 
-use crate::numeric::array::array;
 use crate::numeric::complex::Complex;
 use crate::numeric::complex_matrix::Vector;
 
@@ -56,13 +55,13 @@ impl<const N: usize> PathSamples<N> {
         let [a, b, c] = &self.knots;
         let ahead = t - a.t;
         match self.count {
-            1 => array(|j| a.x[j] + a.tangent[j].scaled(ahead)),
+            1 => core::array::from_fn(|j| a.x[j] + a.tangent[j].scaled(ahead)),
             2 => {
                 let inverse = 1.0 / (a.t - b.t);
                 let (to_a, to_b) = (ahead, t - b.t);
                 let first = weights(to_b * inverse, inverse, to_a);
                 let second = weights(-to_a * inverse, -inverse, to_b);
-                array(|j| weighted(a, first, j) + weighted(b, second, j))
+                core::array::from_fn(|j| weighted(a, first, j) + weighted(b, second, j))
             }
             _ => {
                 let (to_a, to_b, to_c) = (ahead, t - b.t, t - c.t);
@@ -73,7 +72,9 @@ impl<const N: usize> PathSamples<N> {
                 let first = weights(to_b * to_c * ab * ac, ab + ac, to_a);
                 let second = weights(-to_a * to_c * ab * bc, bc - ab, to_b);
                 let third = weights(to_a * to_b * ac * bc, -ac - bc, to_c);
-                array(|j| weighted(a, first, j) + weighted(b, second, j) + weighted(c, third, j))
+                core::array::from_fn(|j| {
+                    weighted(a, first, j) + weighted(b, second, j) + weighted(c, third, j)
+                })
             }
         }
     }

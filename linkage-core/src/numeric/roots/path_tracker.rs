@@ -8,7 +8,7 @@ use super::homotopy::Homotopy;
 use super::path_samples::{PathSample, PathSamples};
 use super::rough_root::rough_root;
 use super::system::Variable;
-use crate::numeric::complex_matrix::{Vector, negative, size, solve, sum};
+use crate::numeric::complex_matrix::{Vector, size, solve, sum};
 
 /// The limits of corrections along a path.
 #[derive(Clone, Copy)]
@@ -66,7 +66,7 @@ impl<'a, const N: usize> PathTracker<'a, N> {
     ) -> Option<Self> {
         let evaluation = homotopy.evaluate(start, 1.0);
         let mut matrix = evaluation.matrix;
-        let mut right = [negative(&evaluation.drift)];
+        let mut right = [evaluation.drift.map(|d| -d)];
         let pivot = solve(&mut matrix, &mut right);
         let first = PathSample {
             t: 1.0,
@@ -155,7 +155,10 @@ impl<'a, const N: usize> PathTracker<'a, N> {
     #[inline(never)]
     fn correct(&mut self, x: &Vector<N>, t: f64) -> Correction<N> {
         let mut evaluation = self.homotopy.evaluate(x, t);
-        let mut right = [negative(&evaluation.values), negative(&evaluation.drift)];
+        let mut right = [
+            evaluation.values.map(|value| -value),
+            evaluation.drift.map(|drift| -drift),
+        ];
         let pivot = solve(&mut evaluation.matrix, &mut right);
         let [correction, tangent] = right;
         Correction {

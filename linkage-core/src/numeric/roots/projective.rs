@@ -2,7 +2,6 @@
 
 use super::rough_root::rough_root;
 use super::system::Variable;
-use crate::numeric::array::array;
 use crate::numeric::complex::{Complex, ONE};
 use crate::numeric::complex_matrix::Vector;
 
@@ -54,7 +53,7 @@ impl<const N: usize> ProjectivePoint<N> {
     /// that of its reflection.
     pub(super) fn gaps(&self, variables: &[Variable]) -> [f64; N] {
         let image = self.reflection(variables);
-        array(|j| {
+        core::array::from_fn(|j| {
             let (x, other) = (self.x[j], image.x[j]);
             let gap = match self.flipped[j] == image.flipped[j] {
                 true => x - other,
@@ -67,7 +66,7 @@ impl<const N: usize> ProjectivePoint<N> {
 
     /// The values of the variables; infinite ones are not finite numbers.
     pub(super) fn values(&self) -> Vector<N> {
-        array(|j| self.value(j))
+        core::array::from_fn(|j| self.value(j))
     }
 
     fn value(&self, j: usize) -> Complex {

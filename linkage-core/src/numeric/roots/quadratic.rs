@@ -5,7 +5,6 @@
 use super::evaluation::Evaluation;
 use super::polynomial::Polynomial;
 use super::start_system::Univariate;
-use crate::numeric::array::array;
 use crate::numeric::complex::Complex;
 use core::ops::{Add, Mul};
 
@@ -51,9 +50,9 @@ impl Quadratics {
         let factor = |j: usize, k: usize| pair(&|i| factors[i][j].coefficients[k]);
         Some(Self {
             target: table,
-            factors: array(|j| array(|k| factor(j, k))),
+            factors: [0, 1].map(|j| [0, 1, 2].map(|k| factor(j, k))),
             constant: pair(&|i| constants[i]),
-            degrees: array(|j| array(|i| target[i].degrees[j])),
+            degrees: [0, 1].map(|j| [0, 1].map(|i| target[i].degrees[j])),
         })
     }
 
@@ -133,7 +132,7 @@ fn value_and_slope(&[low, middle, high]: &Quadratic, x: Complex) -> (Pair, Pair)
 /// The matrix with these columns.
 #[inline(always)]
 fn columns<const N: usize>(columns: [Pair; 2]) -> [[Complex; N]; N] {
-    array(|row| array(|column| columns[column].get(row)))
+    core::array::from_fn(|row| core::array::from_fn(|column| columns[column].get(row)))
 }
 
 impl Pair {
@@ -160,7 +159,7 @@ impl Pair {
 
     #[inline(always)]
     fn split<const N: usize>(self) -> [Complex; N] {
-        array(|equation| self.get(equation))
+        core::array::from_fn(|equation| self.get(equation))
     }
 
     #[inline(always)]

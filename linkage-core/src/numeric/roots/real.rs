@@ -7,7 +7,6 @@ use super::system::Variable;
 use crate::numeric::choose_assembly::MEETING;
 use crate::numeric::complex::Complex;
 use crate::numeric::complex_matrix::Vector;
-use crate::numeric::sorted::sorted;
 use alloc::vec::Vec;
 use core::cmp::Ordering;
 
@@ -40,7 +39,7 @@ pub(super) fn list<const N: usize>(
     if alone > blurred {
         return None;
     }
-    let found = sorted(&found, |a, b| order(variables, a, b));
+    found.sort_by(|a, b| order(variables, a, b));
     let list = |values: &Vector<N>| values.iter().copied().map(parts).collect();
     Some(found.iter().map(list).collect())
 }
@@ -127,13 +126,10 @@ fn order<const N: usize>(variables: &[Variable], a: &Vector<N>, b: &Vector<N>) -
         Variable::Unit => [turn(values[j]), 0.0],
         _ => parts(values[j]),
     };
-    let mut order = Ordering::Equal;
-    for j in 0..N {
-        let [a, b] = [keys(a, j), keys(b, j)];
-        order = order.then(a[0].total_cmp(&b[0]));
-        order = order.then(a[1].total_cmp(&b[1]));
-    }
-    order
+    (0..N)
+        .flat_map(|j| keys(a, j).into_iter().zip(keys(b, j)))
+        .map(|(a, b)| a.total_cmp(&b))
+        .fold(Ordering::Equal, Ordering::then)
 }
 
 /// A number that grows with the angle of a unit number, from -pi to pi.

@@ -3,7 +3,6 @@
 
 use super::polynomial::Polynomial;
 use super::system::{HIGHEST_DEGREE, MOST_PATHS, MOST_VARIABLES, Unlisted};
-use crate::numeric::array::array;
 use crate::numeric::complex::{Complex, ONE, ZERO};
 use crate::numeric::complex_matrix::Vector;
 use alloc::vec::Vec;
@@ -85,7 +84,7 @@ pub(super) fn factors<const N: usize>(
 /// The constant factor of every equation of the start system.
 pub(super) fn constants<const N: usize>(attempt: usize) -> Vector<N> {
     let mut phases = Phases::new(13 + 3 * attempt);
-    array(|_| phases.take().scaled(0.35))
+    core::array::from_fn(|_| phases.take().scaled(0.35))
 }
 
 impl Univariate {

@@ -9,9 +9,8 @@ use super::super::homotopy::Homotopy;
 use super::super::projective::ProjectivePoint;
 use super::super::rough_root::rough_root;
 use super::wide_equations::{Equations, Point};
-use crate::numeric::array::array;
 use crate::numeric::complex::Complex;
-use crate::numeric::complex_matrix::{Vector, negative, size, solve};
+use crate::numeric::complex_matrix::{Vector, size, solve};
 
 /// The smallest `t`: below it, a rounding of the coefficients changes more than the rest of the
 /// path.
@@ -189,7 +188,7 @@ fn corrected<const N: usize>(
         let evaluation = homotopy.evaluate(&x.map(Complex::narrow), t);
         let values = equations.values(&x, t);
         let mut matrix = evaluation.matrix;
-        let mut right = [negative(&values), negative(&evaluation.drift)];
+        let mut right = [values.map(|value| -value), evaluation.drift.map(|d| -d)];
         let pivot = solve(&mut matrix, &mut right);
         let [correction, tangent] = right;
         let length = rough_root(size(&correction));
@@ -201,7 +200,7 @@ fn corrected<const N: usize>(
         x = moved(&x, |j| correction[j]);
         let first = *first.get_or_insert(length);
         if settled {
-            let slope = array(|j| tangent[j].scaled(t));
+            let slope = tangent.map(|slope| slope.scaled(t));
             return Some((PathSample { x, slope }, first));
         }
         last = length;
@@ -210,11 +209,11 @@ fn corrected<const N: usize>(
 }
 
 fn moved<const N: usize>(x: &Point<N>, way: impl Fn(usize) -> Complex) -> Point<N> {
-    array(|j| x[j] + way(j).wide())
+    core::array::from_fn(|j| x[j] + way(j).wide())
 }
 
 fn difference<const N: usize>(a: &Point<N>, b: &Point<N>) -> Vector<N> {
-    array(|j| (a[j] - b[j]).narrow())
+    core::array::from_fn(|j| (a[j] - b[j]).narrow())
 }
 
 fn placed<const N: usize>(homotopy: &Homotopy<N>, x: &Point<N>) -> ProjectivePoint<N> {

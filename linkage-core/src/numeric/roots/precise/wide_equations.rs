@@ -2,7 +2,6 @@
 
 use super::super::polynomial::Polynomial;
 use super::super::start_system::{self, Univariate};
-use crate::numeric::array::array;
 use crate::numeric::complex::{Complex, ONE, ZERO};
 use crate::numeric::complex_matrix::Vector;
 use crate::numeric::double_double::DoubleDouble;
@@ -40,7 +39,7 @@ impl<const N: usize> Equations<N> {
     pub(super) fn new(target: &[Polynomial], attempt: usize) -> Self {
         let factors = start_system::factors::<N>(target, attempt);
         let constants = start_system::constants::<N>(attempt);
-        let narrow = |wide: &[u8]| array(|j| wide[j]);
+        let narrow = |wide: &[u8]| core::array::from_fn(|j| wide[j]);
         let terms = |i: usize| target[i].terms.iter();
         let equation = |i: usize| Equation {
             terms: terms(i)
@@ -76,7 +75,7 @@ impl<const N: usize> Equations<N> {
     /// digits are enough.
     pub(super) fn values(&self, x: &Point<N>, t: f64) -> Vector<N> {
         let powers: [Vec<Wide>; N] = core::array::from_fn(|j| self.powers(x, j));
-        array(|i| {
+        core::array::from_fn(|i| {
             let equation = &self.equations[i];
             let target = equation.target(&powers, &self.flipped);
             let start = equation.start(x, &self.flipped);
