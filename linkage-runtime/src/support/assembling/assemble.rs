@@ -16,9 +16,9 @@ pub fn assemble<C: Compiled<States = (), Plain: Compiled<States = ()>>>(
     mechanism: &C,
 ) -> Result<C::Assembly, AssemblyError> {
     let at = mechanism.reference();
-    let result = finite(mechanism)
-        .and_then(|()| with_states(mechanism, mechanism.default_modes(), &at, (), |_| ()));
-    explained(result, mechanism)
+    finite(mechanism)?;
+    with_states(mechanism, mechanism.default_modes(), &at, (), |_| ())
+        .map_err(|error| explained(error, mechanism))
 }
 
 /// The assembly with these initial states of coupled groups; `lane_states` are those of one lane.
@@ -36,13 +36,7 @@ pub(super) fn with_states<C: Compiled>(
     let angles = mechanism.description().angles.len();
     let found = by_lane(mechanism, |lane| {
         let (plain, states) = (mechanism.lane(lane), lane_states(lane));
-        wind(
-            &plain,
-            &modes,
-            &states,
-            angles,
-            &lane_inputs(mechanism, at, lane),
-        )
+        wind(&plain, &modes, &states, angles, &lane_inputs::<C>(at, lane))
     });
     let (revolutions, unknown) = match found {
         Ok(revolutions) => (revolutions, None),

@@ -24,8 +24,8 @@ where
     C: Grouped<Plain: PlainGroups<Lane = C::Lane>>,
 {
     let at = mechanism.reference();
-    let result = assembled(mechanism, mechanism.default_modes(), &at);
-    explained(result, mechanism)
+    assembled(mechanism, mechanism.default_modes(), &at)
+        .map_err(|error| explained(error, mechanism))
 }
 
 /// The assembly in these modes that the start estimates choose.
@@ -116,7 +116,7 @@ where
         }
     }
     match failure {
-        Some(error) if found.is_empty() => explained(Err(error), mechanism),
+        Some(error) if found.is_empty() => Err(explained(error, mechanism)),
         _ => Ok(found),
     }
 }
@@ -175,7 +175,7 @@ where
     }
     let groups = mechanism.group_data().coupled;
     let nothing = C::Lane::list(groups.len(), |_| InitialState::Nothing);
-    let (plain, at) = (mechanism.lane(lane), lane_inputs(mechanism, at, lane));
+    let (plain, at) = (mechanism.lane(lane), lane_inputs::<C>(at, lane));
     initial_states(groups, nothing, at.as_ref(), wanted, |number, starts| {
         GroupPrograms::new(&plain, modes, &at, number, starts)
     })

@@ -5,28 +5,32 @@ use linkage_core::Scalar;
 
 use super::compiled::Compiled;
 use super::description::Description;
-use crate::data::Parameter;
 use crate::error::{AssemblyError, GroupRef, LARGEST};
 
 /// Fails at a dimension that is NaN or infinite, since closed forms without a root carry it into
 /// the results without a trace. Only dimensions that groups need count.
 pub(super) fn finite<C: Compiled>(mechanism: &C) -> Result<(), AssemblyError> {
+    all_finite(mechanism.description(), mechanism.dimensions().as_ref())
+}
+
+/// One function for all mechanisms: their code is compiled often enough.
+fn all_finite<T: Scalar>(description: &Description, values: &[T]) -> Result<(), AssemblyError> {
     let Description {
         name,
         parameters,
         needed,
         ..
-    } = *mechanism.description();
-    let values = mechanism.dimensions();
+    } = *description;
     for &parameter in needed {
-        let value = values.as_ref()[parameter];
-        let mut lanes = (0..C::Scalar::LANES).map(|lane| value.lane(lane));
-        if let Some(value) = lanes.find(|value| !value.is_finite()) {
-            return Err(AssemblyError::NotFinite {
-                mechanism: name,
-                dimension: parameters[parameter].name,
-                value,
-            });
+        for lane in 0..T::LANES {
+            let value = values[parameter].lane(lane);
+            if !value.is_finite() {
+                return Err(AssemblyError::NotFinite {
+                    mechanism: name,
+                    dimension: parameters[parameter].name,
+                    value,
+                });
+            }
         }
     }
     Ok(())
@@ -56,40 +60,34 @@ pub(super) fn close<T: Scalar>(description: &Description, gaps: &[T]) -> Result<
     Ok(())
 }
 
-/// A result of assembling, in which an error about no loop but about a dimension, which is too
-/// large, names the dimension. Those that a loop needs are finite.
-pub(super) fn explained<A, C: Compiled>(
-    result: Result<A, AssemblyError>,
-    mechanism: &C,
-) -> Result<A, AssemblyError> {
-    let Err(AssemblyError::Undefined { group }) = result else {
-        return result;
-    };
-    let (values, parameters) = (mechanism.dimensions(), mechanism.description().parameters);
-    let values = values.as_ref();
-    let mut lanes =
-        (0..values.len()).flat_map(|k| (0..C::Scalar::LANES).map(move |lane| (k, lane)));
-    let mut dimensions = core::iter::from_fn(|| {
-        let (k, lane) = lanes.next()?;
-        Some((&parameters[k], values[k].lane(lane)))
-    });
-    match too_large(group.mechanism, &mut dimensions) {
-        Some(error) => Err(error),
-        None => result,
+/// The error of an assembly, which about no loop but about a dimension that is too large names the
+/// dimension. Those that a loop needs are finite.
+pub(super) fn explained<C: Compiled>(error: AssemblyError, mechanism: &C) -> AssemblyError {
+    match error {
+        AssemblyError::Undefined { .. } => {
+            let values = mechanism.dimensions();
+            too_large(mechanism.description(), values.as_ref()).unwrap_or(error)
+        }
+        _ => error,
     }
 }
 
 /// One function for all mechanisms: their code is compiled often enough.
-fn too_large(
-    mechanism: &'static str,
-    dimensions: &mut dyn Iterator<Item = (&'static Parameter, f64)>,
-) -> Option<AssemblyError> {
+fn too_large<T: Scalar>(description: &Description, values: &[T]) -> Option<AssemblyError> {
     let size = |value: f64| if value < 0.0 { -value } else { value };
-    let finite = dimensions.filter(|(_, value)| value.is_finite());
-    let largest = finite.reduce(|a, b| if size(b.1) > size(a.1) { b } else { a });
+    let mut largest = None;
+    for (parameter, lanes) in description.parameters.iter().zip(values) {
+        for lane in 0..T::LANES {
+            let value = lanes.lane(lane);
+            let larger = largest.is_none_or(|(_, known)| size(value) > size(known));
+            if value.is_finite() && larger {
+                largest = Some((parameter, value));
+            }
+        }
+    }
     let (parameter, value) = largest?;
     (size(value) > LARGEST).then_some(AssemblyError::Overflow {
-        mechanism,
+        mechanism: description.name,
         dimension: parameter.name,
         value,
         unit: parameter.unit,

@@ -5,7 +5,7 @@ use linkage_core::Scalar;
 use super::description::Description;
 use super::list::List;
 use super::revolutions::Revolutions;
-use crate::data::AssemblyMode;
+use crate::data::{AssemblyMode, Input};
 use crate::support::assembly_data::{AssemblyData, Core};
 use crate::support::stages::RowNumbersMut;
 
@@ -51,15 +51,17 @@ pub trait Compiled: Clone {
     /// The reference inputs.
     fn reference(&self) -> Self::Inputs {
         let inputs = self.description().inputs;
-        List::list(inputs.len(), |input| {
-            Scalar::from_f64(inputs[input].reference)
-        })
+        let mut at = Self::Inputs::repeat(inputs.len(), Scalar::from_f64(0.0));
+        references(inputs, at.as_mut());
+        at
     }
 
     /// The modes that the start estimates choose.
     fn default_modes(&self) -> Self::Modes {
         let modes = self.description().modes;
-        List::list(modes.len(), |mode| modes[mode])
+        let mut default = Self::Modes::repeat(modes.len(), AssemblyMode::Plus);
+        default.as_mut().copy_from_slice(modes);
+        default
     }
 
     /// The assembly that has these data.
@@ -113,4 +115,12 @@ pub trait Compiled: Clone {
 
     /// The vectors of the phases of all continuous angles, one angle after the other.
     fn bearings(&self, modes: &Self::Modes) -> impl AsRef<[[Self::Scalar; 2]]>;
+}
+
+/// Fills in the reference inputs. One function for all mechanisms: their code is compiled often
+/// enough.
+fn references<T: Scalar>(inputs: &[Input], at: &mut [T]) {
+    for (index, at) in at.iter_mut().enumerate() {
+        *at = T::from_f64(inputs[index].reference);
+    }
 }

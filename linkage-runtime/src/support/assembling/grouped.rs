@@ -9,7 +9,7 @@ use linkage_core::{Cycle, Enclosure, Level, Scalar};
 use super::compiled::{Compiled, CoreOf, DataOf, RevolutionsOf};
 use super::list::List;
 use super::preparation::prepared;
-use super::winding::constant;
+use super::winding::{at_estimates, set_from};
 use crate::support::assembly_data::{AssemblyData, Core};
 use crate::support::coupled::{CoupledGroup, InitialState};
 
@@ -155,12 +155,14 @@ where
     let from = AssemblyData::core(data);
     let lanes = no_states(&enclosed);
     let states = enclosed.states(&lanes);
-    let revolutions = constant(
-        &enclosed,
-        |angle| Enclosure::from_f64(from.revolutions.centres.as_ref()[angle]),
-        |angle, input| {
-            let windings = &from.revolutions.windings.as_ref()[angle];
-            Enclosure::from_f64(windings.as_ref()[input])
+    let mut revolutions = at_estimates(&enclosed);
+    set_from::<E, C>(
+        &mut revolutions,
+        &from.revolutions,
+        |enclosures, numbers| {
+            for (enclosure, number) in enclosures.iter_mut().zip(numbers) {
+                *enclosure = Enclosure::from_f64(*number);
+            }
         },
     );
     let core = prepared_core(&enclosed, &from.modes, revolutions);

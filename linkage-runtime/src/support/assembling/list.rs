@@ -7,6 +7,11 @@ use alloc::vec::Vec;
 pub trait List<X>: AsRef<[X]> + AsMut<[X]> + Clone {
     /// The list with these entries; `count` is the length of an array already.
     fn list(count: usize, entry: impl FnMut(usize) -> X) -> Self;
+
+    /// A list of `count` times this entry, to be filled: less code than a function of the index.
+    fn repeat(count: usize, entry: X) -> Self
+    where
+        X: Copy;
 }
 
 impl<X: Clone, const N: usize> List<X> for [X; N] {
@@ -14,11 +19,26 @@ impl<X: Clone, const N: usize> List<X> for [X; N] {
     fn list(_: usize, entry: impl FnMut(usize) -> X) -> Self {
         core::array::from_fn(entry)
     }
+
+    #[inline(always)]
+    fn repeat(_: usize, entry: X) -> Self
+    where
+        X: Copy,
+    {
+        [entry; N]
+    }
 }
 
 #[cfg(feature = "alloc")]
 impl<X: Clone> List<X> for Vec<X> {
     fn list(count: usize, entry: impl FnMut(usize) -> X) -> Self {
         (0..count).map(entry).collect()
+    }
+
+    fn repeat(count: usize, entry: X) -> Self
+    where
+        X: Copy,
+    {
+        alloc::vec![entry; count]
     }
 }

@@ -37,7 +37,7 @@ where
     let mut lanes = Vec::new();
     for lane in 0..C::Scalar::LANES {
         let plain = mechanism.lane(lane);
-        let at = lane_inputs(mechanism, &at, lane);
+        let at = lane_inputs::<C>(&at, lane);
         let state = |number| {
             let state = C::state_mut(&mut x, number).iter();
             state.map(|numbers| numbers.lane(lane)).collect()
@@ -59,8 +59,8 @@ where
             List::list(0, |_| InitialState::Nothing)
         });
     }
-    let result = with_lanes(mechanism, from.modes.clone(), &at, &lanes);
-    explained(result, mechanism)
+    with_lanes(mechanism, from.modes.clone(), &at, &lanes)
+        .map_err(|error| explained(error, mechanism))
 }
 
 /// The data of an assembly of other dimensions that is good at these inputs alone: its coupled

@@ -8,12 +8,19 @@ use crate::support::dispatch::{DataFunction, dispatch_function};
 
 /// The inputs of one lane.
 pub(super) fn lane_inputs<C: Compiled>(
-    mechanism: &C,
     at: &C::Inputs,
     lane: usize,
 ) -> <C::Plain as Compiled>::Inputs {
-    let count = mechanism.description().inputs.len();
-    List::list(count, |input| at.as_ref()[input].lane(lane))
+    let mut inputs = <C::Plain as Compiled>::Inputs::repeat(at.as_ref().len(), 0.0);
+    copy_lane(at.as_ref(), lane, inputs.as_mut());
+    inputs
+}
+
+/// Copies one lane. One function for all mechanisms: their code is compiled often enough.
+fn copy_lane<T: Scalar>(lanes: &[T], lane: usize, numbers: &mut [f64]) {
+    for (index, numbers) in numbers.iter_mut().enumerate() {
+        *numbers = lanes[index].lane(lane);
+    }
 }
 
 /// The numbers that depend on dimensions, modes and revolutions alone, by the instructions that
@@ -46,7 +53,7 @@ impl<C: Compiled> DataFunction<Unprepared<'_, C>, C::Scalar, C::Prepared, 0> for
     fn value<const FUSED: bool>(data: &Unprepared<'_, C>, []: [C::Scalar; 0]) -> C::Prepared {
         let mechanism = data.mechanism;
         let zero = C::Scalar::from_f64(0.0);
-        let mut slots = C::Prepared::list(mechanism.description().prepared, |_| zero);
+        let mut slots = C::Prepared::repeat(mechanism.description().prepared, zero);
         mechanism.prepare::<FUSED>(data.modes, data.revolutions, &mut slots);
         slots
     }

@@ -4,34 +4,40 @@ use linkage_core::Scalar;
 use linkage_core::numeric::winding::{Centre, follow, uniform};
 
 use super::compiled::{Compiled, RevolutionsOf};
+use super::description::Description;
 use super::list::List;
 use super::preparation::prepared;
 use super::revolutions::{Along, Angle, Revolutions};
 
 /// Centres at the start estimates, no winding: right at the reference position.
 pub(super) fn at_estimates<C: Compiled>(mechanism: &C) -> RevolutionsOf<C> {
-    let description = mechanism.description();
-    let angles = description.angles;
-    constant::<C>(
-        mechanism,
-        |angle| C::Scalar::from_f64(angles[angle].estimate),
-        |_, _| C::Scalar::from_f64(0.0),
-    )
+    let Description { angles, inputs, .. } = *mechanism.description();
+    let zero = C::Scalar::from_f64(0.0);
+    let still = C::Inputs::repeat(inputs.len(), zero);
+    let mut revolutions = Revolutions {
+        centres: C::Centres::repeat(angles.len(), zero),
+        windings: C::Windings::list(angles.len(), |_| still.clone()),
+    };
+    estimates(angles, revolutions.centres.as_mut());
+    revolutions
 }
 
-/// Revolutions with these numbers.
-pub(super) fn constant<C: Compiled>(
-    mechanism: &C,
-    centre: impl FnMut(usize) -> C::Scalar,
-    winding: impl Fn(usize, usize) -> C::Scalar,
-) -> RevolutionsOf<C> {
-    let description = mechanism.description();
-    let (angles, inputs) = (description.angles.len(), description.inputs.len());
-    Revolutions {
-        centres: List::list(angles, centre),
-        windings: List::list(angles, |angle| {
-            List::list(inputs, |input| winding(angle, input))
-        }),
+fn estimates<T: Scalar>(angles: &[Angle], centres: &mut [T]) {
+    for (index, centre) in centres.iter_mut().enumerate() {
+        *centre = T::from_f64(angles[index].estimate);
+    }
+}
+
+/// Sets revolutions by those of plain numbers: centres, and the windings of each angle, by `set`.
+pub(super) fn set_from<C: Compiled, P: Compiled<Scalar = f64>>(
+    revolutions: &mut RevolutionsOf<C>,
+    plain: &RevolutionsOf<P>,
+    set: impl Fn(&mut [C::Scalar], &[f64]),
+) {
+    set(revolutions.centres.as_mut(), plain.centres.as_ref());
+    let plain = plain.windings.as_ref();
+    for (angle, windings) in revolutions.windings.as_mut().iter_mut().enumerate() {
+        set(windings.as_mut(), plain[angle].as_ref());
     }
 }
 
@@ -47,21 +53,19 @@ pub(super) fn by_lane<C: Compiled>(
     let mut found = at_estimates(mechanism);
     for lane in 0..C::Scalar::LANES {
         let one = search(lane)?;
-        let set = |lanes: &mut C::Scalar, number: f64| {
-            *lanes = C::Scalar::from_lanes(|i| if i == lane { number } else { lanes.lane(i) });
-        };
-        let centres = found.centres.as_mut().iter_mut();
-        for (lanes, centre) in centres.zip(one.centres.as_ref()) {
-            set(lanes, *centre);
-        }
-        let windings = found.windings.as_mut().iter_mut();
-        for (lanes, windings) in windings.zip(one.windings.as_ref()) {
-            for (lanes, winding) in lanes.as_mut().iter_mut().zip(windings.as_ref()) {
-                set(lanes, *winding);
-            }
-        }
+        set_from::<C, C::Plain>(&mut found, &one, |lanes, numbers| {
+            set_lane(lanes, lane, numbers);
+        });
     }
     Ok(found)
+}
+
+/// Sets one lane. One function for all mechanisms: their code is compiled often enough.
+fn set_lane<T: Scalar>(lanes: &mut [T], lane: usize, numbers: &[f64]) {
+    for (index, lanes) in lanes.iter_mut().enumerate() {
+        let number = numbers[index];
+        *lanes = T::from_lanes(|i| if i == lane { number } else { lanes.lane(i) });
+    }
 }
 
 /// Finds the revolutions of the first `count` angles one after the other: from the vectors of their
@@ -101,61 +105,58 @@ fn wind_from<C: Compiled<Scalar = f64>>(
     let mut revolutions = at_estimates(mechanism);
     let bearings = mechanism.bearings(modes);
     let mut phases = bearings.as_ref();
-    let angles = mechanism.description().angles;
-    for (index, angle) in angles.iter().enumerate().take(count) {
-        let (vectors, rest) = phases.split_at(angle.phases.len());
-        phases = rest;
+    for (index, angle) in mechanism.description().angles[..count].iter().enumerate() {
         let prepared = prepared(mechanism, modes, &revolutions);
-        let direction = |x: &C::Inputs| {
-            let x = mechanism.arguments(states, x);
+        let direction = |changed: Option<(usize, f64)>| {
+            let mut inputs = start.clone();
+            if let Some((input, x)) = changed {
+                inputs.as_mut()[input] = x;
+            }
+            let x = mechanism.arguments(states, &inputs);
             mechanism.directions(modes, &prepared, x).as_ref()[index]
         };
-        let mut along = |input: usize, x: f64| {
-            let mut inputs = start.clone();
-            inputs.as_mut()[input] = x;
-            direction(&inputs)
-        };
-        let here = direction(start);
         let windings = revolutions.windings.as_mut()[index].as_mut();
-        let centre = wind_one(angle, vectors, start.as_ref(), here, windings, &mut along);
-        revolutions.centres.as_mut()[index] = centre.ok_or(angle.unknown)?;
+        let centre = wind_one(angle, &mut phases, start.as_ref(), windings, &direction)?;
+        revolutions.centres.as_mut()[index] = centre;
     }
     Ok(revolutions)
 }
 
-/// Centre and windings of one angle, from the vectors of its phases or by following it. `here` is
-/// its cosine and sine at the start, `direction` those where an input has another value.
-#[inline]
+/// Cosine and sine of an angle at the start, or where one input has another value.
+type Direction<'a> = &'a dyn Fn(Option<(usize, f64)>) -> [f64; 2];
+
+/// Centre and windings of one angle, from the first of `phases`, which are its vectors, or by
+/// following it. One function for all mechanisms: their code is compiled often enough.
 fn wind_one(
     angle: &Angle,
-    phases: &[[f64; 2]],
+    phases: &mut &[[f64; 2]],
     start: &[f64],
-    here: [f64; 2],
     windings: &mut [f64],
-    direction: &mut dyn FnMut(usize, f64) -> [f64; 2],
-) -> Option<f64> {
-    let [cosine, sine] = here;
+    direction: Direction<'_>,
+) -> Result<f64, &'static str> {
+    let (vectors, rest) = phases.split_at(angle.phases.len());
+    *phases = rest;
+    let [cosine, sine] = direction(None);
     let here = <f64 as Scalar>::angle_near(sine, cosine, angle.estimate);
     if !here.is_finite() {
-        return None;
+        return Err(angle.unknown);
     }
-    match uniform(phases, angle.phases, &start, here) {
+    match uniform(vectors, angle.phases, &start, here) {
         Some((centre, turns)) => {
             windings.copy_from_slice(turns);
-            Some(centre)
+            Ok(centre)
         }
-        None => follow_inputs(angle, start, here, windings, direction),
+        None => follow_inputs(angle, start, here, windings, direction).ok_or(angle.unknown),
     }
 }
 
 /// Centre and windings of an angle that is `here` at the start, followed along each of its inputs.
-/// One function for all mechanisms: their code is compiled often enough.
 fn follow_inputs(
     angle: &Angle,
     start: &[f64],
     here: f64,
     windings: &mut [f64],
-    direction: &mut dyn FnMut(usize, f64) -> [f64; 2],
+    direction: Direction<'_>,
 ) -> Option<f64> {
     windings.fill(0.0);
     let mut centre = Centre::new(here);
@@ -171,7 +172,7 @@ fn follow_inputs(
         if low == high {
             continue;
         }
-        let along = follow(low, high, x, here, rates, |x| direction(input, x))?;
+        let along = follow(low, high, x, here, rates, |x| direction(Some((input, x))))?;
         windings[input] = along.turns;
         centre.add(along, x);
     }
