@@ -2,8 +2,8 @@
 # poekit 0.1.0, Paden-Kahan subproblems: a target that the joints cannot reach.
 #
 # Behaviour: `paden_kahan_2` returns two pairs of angles for a target that no pair reaches, and the tip ends 0.36 m from
-# it. The zeros that are documented for a case without a solution appear for axes that do not meet, and not for
-# such a target. A target within reach has two right pairs. Nothing is raised.
+# it. The zeros that are documented for a case without a solution appear for parallel axes, and not for such a target.
+# A target within reach has two right pairs. Nothing is raised.
 #
 # Guess before: zeros for a target out of reach, as documented.
 #
@@ -14,7 +14,7 @@
 #   in reach: 0.700 0.400, off by 0.000; 2.956 2.347, off by 0.000
 #   too far: 0.888 0.807, off by 0.361; 2.768 1.940, off by 0.361
 #   too near: 0.645 0.088, off by 0.295; 3.011 2.659, off by 0.295
-#   axes that do not meet: all zero
+#   parallel axes: all zero
 set -euo pipefail
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
@@ -26,7 +26,7 @@ from poekit import ExpMapping, PadenKahan, TwistUtils
 
 FIRST = TwistUtils.joint_2_twist([0, 0, 1], [0, 0, 0], "rot")
 SECOND = TwistUtils.joint_2_twist([1, 0, 0], [0, 0, 0], "rot")
-SKEW = TwistUtils.joint_2_twist([1, 0, 0], [0, 1, 0.1], "rot")
+PARALLEL = TwistUtils.joint_2_twist([0, 0, 1], [1, 0, 0], "rot")
 START = np.array([0.2, 0.5, 0.1])
 
 
@@ -43,7 +43,7 @@ for name, factor, error in (("in reach", 1.0, 0.0), ("too far", 1.5, 0.361), ("t
     print(f"{name}: " + "; ".join(f"{pair[0]:.3f} {pair[1]:.3f}, off by {off:.3f}"
                                   for pair, off in zip(pairs, errors)))
     assert np.abs(np.array(errors) - error).max() < 1e-4 and np.abs(pairs).min() > 0.01
-assert np.all(PadenKahan.paden_kahan_2(FIRST, SKEW, START, reached) == 0)
-print("axes that do not meet: all zero")
+assert np.all(PadenKahan.paden_kahan_2(FIRST, PARALLEL, START, reached) == 0)
+print("parallel axes: all zero")
 CHECK
 "$folder/env/bin/python" "$folder/check.py"
