@@ -1,6 +1,7 @@
 //! The description of sweeps, as text for the docs.
 
 use super::super::outline::{Outline, plain};
+use super::argument;
 use linkage_language::model::Sweep;
 use linkage_language::syntax::Word;
 
@@ -17,6 +18,7 @@ pub(in super::super) fn about(outline: &Outline) -> String {
         .map(|argument| plain(argument))
         .collect();
     let arguments = arguments.join(", ");
+    let [sets, columns, slices] = ["sets", "columns", "slices"].map(|name| argument(example, name));
     let row = |sweep: Sweep, given: &str, does: &str| {
         format!("| `{name}{}({given})` | {does} |\n", sweep.word())
     };
@@ -31,34 +33,34 @@ pub(in super::super) fn about(outline: &Outline) -> String {
     );
     text += &row(
         Sweep::Into,
-        &format!("{arguments}, columns"),
+        &format!("{arguments}, {columns}"),
         "the same into columns that are there: allocates only if they are too small",
     );
     text += &row(
         Sweep::Slices,
-        &format!("{arguments}, slices"),
+        &format!("{arguments}, {slices}"),
         "the same into slices: one for each number of the result, in the order of its fields; allocates nothing",
     );
     text += &row(
         Sweep::ParallelInto,
-        &format!("{arguments}, columns"),
+        &format!("{arguments}, {columns}"),
         "the same on all threads of rayon's current pool; with feature `rayon`",
     );
     let mut panics = "Sweeps panic if slices differ in length, those with a single element aside: they have that value everywhere.".to_owned();
     if !outline.parameters.is_empty() {
         text += &row(
             Sweep::Sets,
-            &format!("sets, {arguments}"),
+            &format!("{sets}, {arguments}"),
             "many mechanisms, each at inputs of its own",
         );
         text += &row(
             Sweep::SetsInto,
-            &format!("sets, {arguments}, columns"),
+            &format!("{sets}, {arguments}, {columns}"),
             "the same into columns that are there",
         );
         text += &row(
             Sweep::SetsParallelInto,
-            &format!("sets, {arguments}, columns"),
+            &format!("{sets}, {arguments}, {columns}"),
             "the same on all threads of rayon's current pool; with feature `rayon`",
         );
         text += "\nMany mechanisms are assembled in the modes of this one, and their angles count turns from those of this one. \

@@ -75,7 +75,8 @@ fn an_argument_may_be_called_columns() {
         (pub fn) "path" (columns) -> PathColumns of [Path; 3] by __p::sweeps,
         [path_sweep, path_sweep_into, path_sweep_slices, path_sweep_parallel_into], [__columns, slices]
     };
-    assert_contains(&text, &[&sweeps.to_string()]);
+    let doc = "`path_sweep_into(columns, __columns)`";
+    assert_contains(&text, &[&sweeps.to_string(), doc]);
 }
 
 #[test]
