@@ -2,6 +2,7 @@
 
 pub(crate) mod curved_slots;
 mod four_bar;
+pub(crate) mod pictures;
 mod quick_return;
 mod spatial;
 
@@ -70,6 +71,17 @@ pub(crate) const fn value(name: &'static str, unit: &'static str) -> Column {
 
 pub(crate) const fn pictured(name: &'static str, unit: &'static str) -> Column {
     column(name, unit, Meaning::Picture)
+}
+
+/// Columns of a picture: coordinates in millimetres, then the components of directions.
+pub(crate) const fn drawn_columns<const N: usize>(coordinates: usize) -> [Column; N] {
+    let mut columns = [pictured("picture.x", "mm"); N];
+    let mut i = coordinates;
+    while i < N {
+        columns[i] = pictured("picture.direction", "");
+        i += 1;
+    }
+    columns
 }
 
 pub(crate) const fn column(name: &'static str, unit: &'static str, meaning: Meaning) -> Column {
