@@ -11,7 +11,7 @@ pub(crate) use four_bar::{FourBar, MOTION};
 pub(crate) use quick_return::quick_return;
 pub(crate) use spatial::spatial;
 
-use linkage_runtime::{Column, Heading, Input, Meaning, Table};
+use linkage_runtime::{Column, Heading, Input, Meaning, Picture, Table};
 
 /// The results of a sweep.
 pub(crate) struct Sweep {
@@ -71,6 +71,19 @@ pub(crate) const fn value(name: &'static str, unit: &'static str) -> Column {
 
 pub(crate) const fn pictured(name: &'static str, unit: &'static str) -> Column {
     column(name, unit, Meaning::Picture)
+}
+
+/// The heading of a function whose columns are those of this picture.
+pub(crate) const fn picture_heading(
+    columns: &'static [Column],
+    picture: &'static Picture,
+) -> Heading {
+    Heading {
+        function: "pictured",
+        arguments: &["phi"],
+        columns,
+        picture: pictures::drawn(picture),
+    }
 }
 
 /// Columns of a picture: coordinates in millimetres, then the components of directions.

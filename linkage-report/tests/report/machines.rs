@@ -1,7 +1,7 @@
 //! Machines: what is drawn of their parts, and their cyclogram.
 
-use crate::fixture::pictures::{EMPTY, drawn, link, part, point};
-use crate::fixture::{FourBar, PHI, Sweep, drawn_columns, polar};
+use crate::fixture::pictures::{EMPTY, link, part, point};
+use crate::fixture::{FourBar, PHI, Sweep, drawn_columns, picture_heading, polar};
 use crate::picture::{classed, words};
 use dxf::entities::EntityType;
 use linkage_analysis::cyclogram::{Band, Cyclogram, Member};
@@ -34,12 +34,7 @@ static PICTURE: Picture = Picture {
     ..EMPTY
 };
 
-static HEADING: Heading = Heading {
-    function: "pictured",
-    arguments: &["phi"],
-    columns: &COLUMNS,
-    picture: drawn(&PICTURE),
-};
+static HEADING: Heading = picture_heading(&COLUMNS, &PICTURE);
 
 fn cyclogram(names: [&str; 2]) -> Cyclogram {
     let members = names.map(|name| {

@@ -1,13 +1,13 @@
 //! Machines of more parts than there are listed colours.
 
 use crate::fixture::pictures::{EMPTY, link, part, point};
-use crate::fixture::{PHI, Sweep, drawn_columns, polar};
+use crate::fixture::{PHI, Sweep, drawn_columns, picture_heading, polar};
 use crate::picture::classed;
 use linkage_analysis::cyclogram::{Band, Cyclogram, Member};
 use linkage_analysis::summary::Curve;
 use linkage_report::Report;
 use linkage_runtime::{
-    Column, Heading, Picture, PictureColumns, PictureLink, PicturePart, PicturePoint, PointKind,
+    Column, Heading, Picture, PictureLink, PicturePart, PicturePoint, PointKind,
 };
 use roxmltree::Document;
 use std::collections::BTreeSet;
@@ -66,19 +66,10 @@ const fn picture(parts: &'static [PicturePart]) -> Picture {
     }
 }
 
-const fn heading(picture: &'static Picture) -> Heading {
-    Heading {
-        function: "pictured",
-        arguments: &["phi"],
-        columns: &COLUMNS,
-        picture: Some(PictureColumns { first: 0, picture }),
-    }
-}
-
-static NINE: Heading = heading(&picture(&PARTS));
+static NINE: Heading = picture_heading(&COLUMNS, &picture(&PARTS));
 /// What the other cranks are belongs to the machine itself, in the sixth colour.
-static FIVE: Heading = heading(&picture(PARTS.split_at(5).0));
-static NONE: Heading = heading(&picture(&[]));
+static FIVE: Heading = picture_heading(&COLUMNS, &picture(PARTS.split_at(5).0));
+static NONE: Heading = picture_heading(&COLUMNS, &picture(&[]));
 
 fn report(heading: &'static Heading) -> Report {
     let phi = PHI.positions(37);
