@@ -8,33 +8,23 @@ that the variables `PYTHON311` and `PYTHON312` name. With names only those scrip
 
 import datetime
 import json
-import os
 import pathlib
 import subprocess
 import sys
 
 HERE = pathlib.Path(__file__).resolve().parent
-TARGET = HERE.parent.parent / "target" / "dynamics_rivals"
+sys.path.insert(0, str(HERE.parent))
+
+from environments import interpreter
+
 CSV = HERE / "rivals.csv"
 COLUMNS = ["script", "problem", "method", "setting", "error", "seconds"]
 SCRIPTS = {"ida": "3.11", "mujoco": "3.11", "exudyn": "3.11", "pinocchio": "3.11", "drake": "3.12"}
 
 
-def environment(python):
-    folder = TARGET / python
-    program = folder / "bin" / "python"
-    if not (folder / "ready").exists():
-        base = os.environ.get("PYTHON" + python.replace(".", ""), "python" + python)
-        subprocess.run([base, "-m", "venv", str(folder)], check=True)
-        requirements = HERE / f"requirements-{python}.txt"
-        subprocess.run([str(program), "-m", "pip", "install", "--quiet", "-r", str(requirements)], check=True)
-        (folder / "ready").touch()
-    return program
-
-
 def run(name):
     """Versions and rows of a script."""
-    command = [str(environment(SCRIPTS[name])), "-B", f"run_{name}.py"]
+    command = [str(interpreter(HERE, SCRIPTS[name])), "-B", f"run_{name}.py"]
     done = subprocess.run(command, cwd=HERE, stdout=subprocess.PIPE, text=True, check=True)
     line = [line for line in done.stdout.splitlines() if line.startswith("{")][-1]
     found = json.loads(line)

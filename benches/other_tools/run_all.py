@@ -8,13 +8,15 @@ those tools are run again.
 """
 
 import json
-import os
 import pathlib
 import subprocess
 import sys
 
 HERE = pathlib.Path(__file__).resolve().parent
-TARGET = HERE.parent.parent / "target" / "other_tools"
+sys.path.insert(0, str(HERE.parent))
+
+from environments import interpreter
+
 RESULTS = HERE / "results.json"
 TOOLS = {
     "linkage": "3.11",
@@ -31,20 +33,8 @@ TOOLS = {
 }
 
 
-def environment(python):
-    folder = TARGET / python
-    program = folder / "bin" / "python"
-    if not (folder / "ready").exists():
-        base = os.environ.get("PYTHON" + python.replace(".", ""), "python" + python)
-        subprocess.run([base, "-m", "venv", str(folder)], check=True)
-        requirements = HERE / f"requirements-{python}.txt"
-        subprocess.run([str(program), "-m", "pip", "install", "--quiet", "-r", str(requirements)], check=True)
-        (folder / "ready").touch()
-    return program
-
-
 def run(name):
-    program = environment(TOOLS[name])
+    program = interpreter(HERE, TOOLS[name])
     command = [str(program), "-B", f"run_{name}.py"]
     done = subprocess.run(command, cwd=HERE, capture_output=True, text=True, check=False)
     lines = [line for line in done.stdout.splitlines() if line.startswith("{")]

@@ -13,16 +13,7 @@ use crate::writer::{Writer, used};
 
 /// Writes the function that computes the values that depend on the dimensions alone.
 pub(crate) fn prepare(writer: &mut Writer) {
-    let Surface {
-        declarations:
-            Declarations {
-                unit,
-                name: prefix,
-                private,
-                ..
-            },
-        ..
-    } = writer.surface;
+    let (unit, prefix, private) = writer.surface.unit_and_prefixes();
     let printed = writer.printed(&unit.prepare);
     let mut body = printed.statements;
     for (slot, value) in printed.results.iter().enumerate() {
@@ -43,17 +34,8 @@ pub(crate) fn prepare(writer: &mut Writer) {
 /// The function that says whether the groups close; nothing if nobody asks for it.
 pub(crate) fn close(writer: &mut Writer) {
     let surface = writer.surface;
-    let Surface {
-        declarations:
-            Declarations {
-                unit,
-                name: prefix,
-                private,
-                ..
-            },
-        real,
-        ..
-    } = surface;
+    let (unit, prefix, private) = surface.unit_and_prefixes();
+    let real = surface.real;
     if unit.groups.is_empty() {
         if !unit.angles.is_empty() {
             let number = real.name();
@@ -72,9 +54,9 @@ pub(crate) fn close(writer: &mut Writer) {
         let numbers = (0..unit.groups.len()).map(|group| surface.code(cause(group)).to_string());
         format!("{{ {} }}", numbers.collect::<Vec<_>>().join(", "))
     };
-    let close = fill(include_str!("templates/close.c"), *real, private, |word| {
+    let close = fill(include_str!("templates/close.c"), real, private, |word| {
         Some(match word {
-            "MECHANISM" => prefix.clone(),
+            "MECHANISM" => prefix.to_owned(),
             "GROUPS" => unit.groups.len().to_string(),
             "OPEN" => numbers(RefusalCause::CannotClose),
             "UNDEFINED" => numbers(RefusalCause::Undefined),

@@ -9,7 +9,7 @@ use std::fmt::Write;
 use linkage_compiler::ir::{CompiledMechanism, Coupled};
 use linkage_core::certificate::{ALLOWED_CONTRACTION, FIRST_CORRECTION, STEPS_BESIDE};
 use linkage_core::numeric::continuation::{Axis, CellLayout, NodeLayout, Terms};
-use linkage_export::{Declarations, PreparedStates, RefusalCause};
+use linkage_export::{PreparedStates, RefusalCause};
 use linkage_symbolic::program::Program;
 
 use crate::real::Real;
@@ -97,17 +97,8 @@ pub(crate) fn items(writer: &mut Writer) {
 
 /// A Newton step of a coupled group from a state.
 fn correct(writer: &mut Writer, number: usize, program: &Program) {
-    let Surface {
-        declarations:
-            Declarations {
-                name: prefix,
-                private,
-                ..
-            },
-        real,
-        ..
-    } = writer.surface;
-    let real = real.name();
+    let (_, prefix, private) = writer.surface.unit_and_prefixes();
+    let real = writer.surface.real.name();
     let printed = writer.printed(program);
     let body = look_up(writer.surface, program, Some(number), "x") + &written(&printed);
     let state = format!("state_{number}");
@@ -162,17 +153,8 @@ pub(crate) fn deciding(unit: &CompiledMechanism) -> BTreeSet<usize> {
 /// The function that says whether the tables serve the dimensions; nothing without tables.
 pub(crate) fn served(writer: &mut Writer) {
     let surface = writer.surface;
-    let Surface {
-        declarations:
-            Declarations {
-                unit,
-                name: prefix,
-                private,
-                ..
-            },
-        real,
-        ..
-    } = surface;
+    let (unit, prefix, private) = surface.unit_and_prefixes();
+    let real = surface.real;
     if unit.coupled.is_empty() {
         return;
     }

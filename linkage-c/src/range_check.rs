@@ -105,14 +105,8 @@ pub(crate) fn declared(surface: &Surface) -> String {
 /// The function.
 pub(crate) fn items(writer: &mut Writer) {
     let surface = writer.surface;
+    let (unit, prefix, private) = surface.unit_and_prefixes();
     let Surface {
-        declarations:
-            Declarations {
-                unit,
-                name: prefix,
-                private,
-                ..
-            },
         real,
         range: RangeNames {
             check_range,
@@ -149,7 +143,7 @@ pub(crate) fn items(writer: &mut Writer) {
     let references: Vec<String> = references.collect();
     let text = fill(include_str!("templates/range.c"), *real, private, |word| {
         Some(match word {
-            "MECHANISM" => prefix.clone(),
+            "MECHANISM" => prefix.to_owned(),
             "API" => surface.constant(API),
             "CHECK" => check_range.name.clone(),
             "FINDING" => finding.clone(),

@@ -2,7 +2,6 @@
 
 use std::fmt::Write;
 
-use linkage_export::Declarations;
 use linkage_symbolic::program::{Program, Source};
 
 use crate::comment::comment;
@@ -20,17 +19,8 @@ pub(crate) struct Writer<'a> {
 impl Writer<'_> {
     /// A program as a function of all inputs, `x`, that writes its results to `out`.
     pub(crate) fn plain(&mut self, name: &str, program: &Program, note: &str) {
-        let Surface {
-            declarations:
-                Declarations {
-                    name: prefix,
-                    private,
-                    ..
-                },
-            real,
-            ..
-        } = self.surface;
-        let real = real.name();
+        let (_, prefix, private) = self.surface.unit_and_prefixes();
+        let real = self.surface.real.name();
         let printed = self.printed(program);
         let body = look_up(self.surface, program, None, "x") + &written(&printed);
         self.text += &comment("", note);

@@ -37,6 +37,7 @@ mod rust;
 mod st;
 mod sweep;
 mod table;
+mod target_folder;
 mod terminal;
 mod tolerance;
 mod unbounded;

@@ -5,13 +5,14 @@
 
 use std::time::Duration;
 
-use linkage_analysis::tolerance::{Distribution, MonteCarlo, Study, Tolerances};
-use linkage_runtime::{Parameter, Table};
+use linkage_analysis::tolerance::{Distribution, MonteCarlo, Study};
+use linkage_runtime::Table;
 
 use crate::columns::Columns;
 use crate::compiled::Assembly;
 use crate::error::ToleranceError;
 use crate::random_results::{Filled, RandomResults, Streamed, text};
+use crate::tolerance_effects::filled_up;
 
 /// The most results of a study.
 const MOST_NUMBERS: usize = 4;
@@ -122,15 +123,7 @@ fn begun<'a, const N: usize, const K: usize>(
     wanted: [usize; K],
 ) -> Result<RandomStudy<'a>, ToleranceError> {
     let parameters = assembly.mechanism().parameters();
-    let nothing = Parameter {
-        name: "",
-        unit: "",
-        nominal: 0.0,
-        tolerance: 0.0,
-    };
-    let mut all = parameters.to_vec();
-    all.resize(N, nothing);
-    let tolerances = Tolerances::<N>::declared(&all).map_err(text)?;
+    let tolerances = filled_up::<N>(parameters)?;
     let mut nominal = [0.0; N];
     nominal[..parameters.len()].copy_from_slice(assembly.dimensions());
     let StudyPlan {

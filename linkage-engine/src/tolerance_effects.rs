@@ -185,15 +185,15 @@ where
     }
 }
 
-/// Filled up with parameters that have neither a tolerance nor an effect: they change no figure,
-/// and stand last.
-fn filled<const N: usize, const K: usize>(
+/// Returns the declared tolerances of `N` parameters: after those of the mechanism come others
+/// without a tolerance, which change no figure.
+///
+/// # Errors
+///
+/// For tolerances that cannot be analysed.
+pub(crate) fn filled_up<const N: usize>(
     parameters: &[Parameter],
-    values: &[Vec<f64>],
-) -> Result<ToleranceEffects, ToleranceError>
-where
-    [f64; K]: Components<K>,
-{
+) -> Result<Tolerances<N>, ToleranceError> {
     let nothing = Parameter {
         name: "",
         unit: "",
@@ -202,12 +202,21 @@ where
     };
     let mut all = parameters.to_vec();
     all.resize(N, nothing);
+    Tolerances::declared(&all).map_err(|error| ToleranceError(error.to_string()))
+}
+
+fn filled<const N: usize, const K: usize>(
+    parameters: &[Parameter],
+    values: &[Vec<f64>],
+) -> Result<ToleranceEffects, ToleranceError>
+where
+    [f64; K]: Components<K>,
+{
     let mut sensitivities = [[0.0; K]; N];
     for (to, from) in sensitivities.iter_mut().zip(values) {
         to.copy_from_slice(from);
     }
-    let tolerances = Tolerances::<N>::declared(&all);
-    let tolerances = tolerances.map_err(|error| ToleranceError(error.to_string()))?;
+    let tolerances = filled_up::<N>(parameters)?;
     let effects = tolerances.effects(&sensitivities);
     let text = effects.to_string();
     let lines: Vec<&str> = text.lines().collect();

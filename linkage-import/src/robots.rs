@@ -13,6 +13,7 @@ mod input_ranges;
 mod mjcf;
 mod model;
 mod motion_plane;
+mod offsets;
 mod planar;
 mod planar_bodies;
 mod pose;

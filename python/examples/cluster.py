@@ -10,26 +10,14 @@ number of workers and partitions, and after a worker was lost. Rust draws the sa
 """
 
 import argparse
+from pathlib import Path
 
 import linkage
 import numpy as np
 from dask.distributed import Client, LocalCluster, as_completed
 
-TEXT = """
-pub struct FourBar {
-    unit mm;
-    param crank = 50mm +- 12um;
-    param coupler = 120mm +- 20um;
-    param rocker = 100mm +- 20um;
-    param frame = 140mm +- 20um;
-    input phi = 30deg in 0deg..360deg;
-    unknown theta = 40deg;
-    unknown psi = 80deg;
-    let tracer = polar(crank, phi) + polar(70mm, theta);
-    loop polar(crank, phi) + polar(coupler, theta) = (frame, 0) + polar(rocker, psi);
-}
-impl FourBar { pub fn path(phi) -> Path { tracer } }
-"""
+#: The four-bar.
+FILE = Path(__file__).with_name("tracer.mech")
 
 #: Designs of a block, the smallest part of the search.
 BLOCK = 100_000
@@ -114,7 +102,7 @@ def main(arguments=None):
     parser.add_argument("--seed", type=int, default=7)
     parser.add_argument("--scheduler", help="the address of a cluster, else one on this machine")
     given = parser.parse_args(arguments)
-    m = linkage.parse(TEXT).assemble()
+    m = linkage.load(FILE).assemble()
     wanted = m.path(np.linspace(0.3, 2.0, 6), crank=np.full(6, 48.0)).tracer
     cluster = given.scheduler or LocalCluster(
         n_workers=given.workers, threads_per_worker=1, dashboard_address=None

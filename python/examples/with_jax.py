@@ -3,6 +3,8 @@
 `python with_jax.py` compares its gradients with differences.
 """
 
+from pathlib import Path
+
 import jax
 import jax.numpy as jnp
 import linkage
@@ -10,22 +12,8 @@ import numpy as np
 
 jax.config.update("jax_enable_x64", True)
 
-TEXT = """
-pub struct FourBar {
-    unit mm;
-    param crank = 50mm;
-    param coupler = 120mm;
-    param rocker = 100mm;
-    input phi = 30deg in 0deg..360deg;
-    unknown theta = 40deg;
-    unknown psi = 80deg;
-    loop polar(crank, phi) + polar(coupler, theta) = (140mm, 0) + polar(rocker, psi);
-}
-impl FourBar { pub fn motion(phi) -> Motion { psi, v: velocity(psi), e: sensitivity(psi) } }
-"""
-
 NAMES = ("crank", "coupler", "rocker")
-M = linkage.parse(TEXT).assemble()
+M = linkage.load(Path(__file__).with_name("rocker.mech")).assemble()
 
 
 def _on_host(phi, x):

@@ -3,24 +3,13 @@
 `python with_ray.py` draws 1e7 mechanisms on this machine, or on the cluster that Ray is connected to.
 """
 
+from pathlib import Path
+
 import linkage
 import ray
 
-TEXT = """
-pub struct FourBar {
-    unit mm;
-    param crank = 50mm +- 12um;
-    param coupler = 120mm +- 20um;
-    param rocker = 100mm +- 20um;
-    param frame = 140mm +- 20um;
-    input phi = 30deg in 0deg..360deg;
-    unknown theta = 40deg;
-    unknown psi = 80deg;
-    let tracer = polar(crank, phi) + polar(70mm, theta);
-    loop polar(crank, phi) + polar(coupler, theta) = (frame, 0) + polar(rocker, psi);
-}
-impl FourBar { pub fn path(phi) -> Path { tracer } }
-"""
+#: The four-bar.
+FILE = Path(__file__).with_name("tracer.mech")
 
 #: The position of the crank.
 PHI = 1.2
@@ -37,7 +26,7 @@ def study_part(m, seed: int, count: int, part: int, of: int):
 
 def study(count: int, parts: int = PARTS, seed: int = 7):
     """The study of all mechanisms, from tasks of its parts."""
-    m = ray.put(linkage.parse(TEXT).assemble())
+    m = ray.put(linkage.load(FILE).assemble())
     task = ray.remote(study_part)
     first, *others = ray.get([task.remote(m, seed, count, part, parts) for part in range(parts)])
     return first.merge(*others)

@@ -3,26 +3,14 @@
 `python with_torch.py` checks its gradients.
 """
 
+from pathlib import Path
+
 import linkage
 import numpy as np
 import torch
 
-TEXT = """
-pub struct FourBar {
-    unit mm;
-    param crank = 50mm;
-    param coupler = 120mm;
-    param rocker = 100mm;
-    input phi = 30deg in 0deg..360deg;
-    unknown theta = 40deg;
-    unknown psi = 80deg;
-    loop polar(crank, phi) + polar(coupler, theta) = (140mm, 0) + polar(rocker, psi);
-}
-impl FourBar { pub fn motion(phi) -> Motion { psi, v: velocity(psi), e: sensitivity(psi) } }
-"""
-
 NAMES = ("crank", "coupler", "rocker")
-M = linkage.parse(TEXT).assemble()
+M = linkage.load(Path(__file__).with_name("rocker.mech")).assemble()
 
 
 class Rocker(torch.autograd.Function):

@@ -3,6 +3,7 @@
 import os
 import signal
 import threading
+import time
 from pathlib import Path
 
 import _thread
@@ -84,6 +85,27 @@ def ctrl_c():
     for timer in timers:
         timer.join()
     signal.signal(signal.SIGINT, earlier)
+
+
+@pytest.fixture
+def interrupted(ctrl_c):
+    """A function that runs `call(progress)`, interrupts it after its first news, and returns the last ones."""
+
+    def run(call):
+        seen = []
+
+        def progress(*news):
+            if not seen:
+                ctrl_c(0.2)
+            seen.append(news)
+
+        began = time.perf_counter()
+        with pytest.raises(KeyboardInterrupt):
+            call(progress)
+        assert time.perf_counter() - began < 30
+        return seen[-1]
+
+    return run
 
 
 def required(name: str) -> bool:

@@ -47,7 +47,7 @@ def test_gradients_of_torch():
 def test_a_study_by_ray_is_that_of_one_process():
     ray = pytest.importorskip("ray")
     module = example("with_ray")
-    m = linkage.parse(module.TEXT).assemble()
+    m = linkage.load(module.FILE).assemble()
     paths = os.pathsep.join([str(EXAMPLES), *(path for path in sys.path if path)])
     ray.init(num_cpus=2, include_dashboard=False, runtime_env={"env_vars": {"PYTHONPATH": paths}})
     try:
@@ -70,14 +70,15 @@ def cluster():
 
 def test_results_of_a_cluster_do_not_depend_on_workers(cluster):
     module = example("cluster")
-    m = linkage.parse(module.TEXT).assemble()
+    m = linkage.load(module.FILE).assemble()
     count = 50_001
     alone = module.study_part(m, 7, count, 0, 1)
     for partitions in (1, 3, 5):
         found = module.tolerances(cluster, m, 7, count, partitions)
         assert found.done == count and found.to_bytes() == alone.to_bytes()
     # The root of the sum of squares of uniform deviations.
-    bar = linkage.parse(module.TEXT.replace("{ tracer }", "{ tracer, e: sensitivity(tracer) }"))
+    text = module.FILE.read_text()
+    bar = linkage.parse(text.replace("{ tracer }", "{ tracer, e: sensitivity(tracer) }"))
     e = bar.assemble().path(module.PHI).e
     parts = [e[name] * one.tolerance for name, one in bar.parameters.items()]
     expected = np.sqrt(sum(part**2 for part in parts) / 3)
@@ -88,7 +89,7 @@ def test_results_of_a_cluster_do_not_depend_on_workers(cluster):
 
 def test_a_search_on_a_cluster_is_that_of_one_process(cluster):
     module = example("cluster")
-    m = linkage.parse(module.TEXT).assemble()
+    m = linkage.load(module.FILE).assemble()
     wanted = m.path(np.linspace(0.3, 2.0, 6), crank=np.full(6, 48.0)).tracer
     alone = module.design_blocks(m, 7, 0, 150_000, wanted)
     assert module.designs(cluster, m, 7, 150_000, 2, wanted) == alone
@@ -97,7 +98,7 @@ def test_a_search_on_a_cluster_is_that_of_one_process(cluster):
 
 def test_a_killed_worker_changes_nothing(cluster):
     module = example("cluster")
-    m = linkage.parse(module.TEXT).assemble()
+    m = linkage.load(module.FILE).assemble()
     count = 100_000
     alone = module.study_part(m, 3, count, 0, 1)
     processes = cluster.run(os.getpid)

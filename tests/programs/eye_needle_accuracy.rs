@@ -13,7 +13,7 @@ use linkage::tolerance::{
 use std::error::Error;
 use std::f64::consts::TAU;
 
-include!("../../mechanisms/eye_needle_accuracy.rs");
+include!("../../mechanisms/eye_needle.rs");
 
 /// The published claim, in mm.
 const CLAIM: f64 = 0.018;
@@ -107,7 +107,7 @@ fn contributions(linkage: &Linkage, tolerances: &Given, phi: f64) {
 fn allocations(check: &mut Check, linkage: &Linkage, tolerances: &Given) -> Outcome {
     let present = tolerances.values();
     // The needle's arm turns the needle's point about P7.
-    let sizes = Sizes::new(tolerances.parameters())?.lever(EyeNeedle::INDEX_ARM, 136.8)?;
+    let sizes = Sizes::new(tolerances.parameters())?.lever(EyeNeedle::INDEX_ANGLE_578, 136.8)?;
     // The present tolerances cost 1 each.
     let costs = Costs {
         cost: present,
@@ -165,7 +165,7 @@ fn allocations(check: &mut Check, linkage: &Linkage, tolerances: &Given) -> Outc
 }
 
 fn print_allocations(present: &Given, names: &[&str], found: &[Allocation<13>]) {
-    print!("{:<8}{:>10}", "", "present");
+    print!("{:<10}{:>10}", "", "present");
     names.iter().for_each(|name| print!("{name:>17}"));
     println!();
     let shown = |tolerances: &Given, i: usize| {
@@ -176,14 +176,14 @@ fn print_allocations(present: &Given, names: &[&str], found: &[Allocation<13>]) 
         }
     };
     for (i, parameter) in present.parameters().iter().enumerate() {
-        print!("{:<8}{:>10.1}", parameter.name, shown(present, i));
+        print!("{:<10}{:>10.1}", parameter.name, shown(present, i));
         found
             .iter()
             .for_each(|f| print!("{:>17.2}", shown(&f.tolerances, i)));
         println!();
     }
     // What a tolerance costs: present over new.
-    print!("{:<8}{:>10.1}", "cost", 13.0);
+    print!("{:<10}{:>10.1}", "cost", 13.0);
     for allocation in found {
         let pairs = present
             .values()
@@ -202,14 +202,14 @@ fn print_allocations(present: &Given, names: &[&str], found: &[Allocation<13>]) 
 
 /// Random mechanisms at the position of the largest error.
 fn samples(check: &mut Check, linkage: &Linkage, tolerances: &Given, phi: f64) -> Outcome {
-    let nominal = linkage.needle(phi).needle;
+    let nominal = linkage.needle(phi).p8;
     let effects = tolerances.effects(&linkage.accuracy(phi).e);
     for distribution in [Distribution::Normal, Distribution::Uniform] {
         println!("\n{SAMPLES} random mechanisms, {distribution:?}:");
         let study = || MonteCarlo::new(SAMPLES).seed(1).distribution(distribution);
         let point = study().run(&EyeNeedle::default(), tolerances, |mechanisms, [x, y]| {
             let rows = linkage.needle_sweep_sets(mechanisms, &[phi]);
-            let [px, py] = rows.needle();
+            let [px, py] = rows.p8();
             x.copy_from_slice(px);
             y.copy_from_slice(py);
         })?;
@@ -229,7 +229,7 @@ fn samples(check: &mut Check, linkage: &Linkage, tolerances: &Given, phi: f64) -
         let size = study().run(&EyeNeedle::default(), tolerances, |mechanisms, [size]| {
             let rows = linkage.needle_sweep_sets(mechanisms, &[phi]);
             for (size, row) in size.iter_mut().zip(rows.iter()) {
-                *size = 1e3 * (row.needle - nominal).norm();
+                *size = 1e3 * (row.p8 - nominal).norm();
             }
         })?;
         println!("length of the error vector, um, with intervals of 95 %:");

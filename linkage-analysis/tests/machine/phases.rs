@@ -42,13 +42,13 @@ fn best_of_all_phases() {
         assert!(
             truth(best.phase) - best.distance < 0.5 && truth(best.phase) >= best.distance - 1e-9
         );
+        let least = |phase: f64| {
+            let clearance = phases.clearance(phase).expect("a clearance");
+            clearance.least().distance
+        };
         for i in 0..=24 {
             let phase = range.0 + (range.1 - range.0) * f64::from(i) / 24.0;
-            let other = phases
-                .clearance(phase)
-                .expect("a clearance")
-                .least()
-                .distance;
+            let other = least(phase);
             assert!(
                 other <= best.distance + 1e-12,
                 "{other} at {phase}: {best:?}"
@@ -80,11 +80,7 @@ fn best_of_all_phases() {
             .map(|slot| f64::from(slot) * step)
             .filter(|phase| (range.0 - 1e-9..=range.1 + 1e-9).contains(phase));
         for phase in slots {
-            let other = phases
-                .clearance(phase)
-                .expect("a clearance")
-                .least()
-                .distance;
+            let other = least(phase);
             assert!(
                 other <= found.distance + 1e-12,
                 "{other} at {phase}: {found:?}"

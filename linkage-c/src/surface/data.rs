@@ -1,6 +1,6 @@
 //! The surface of a mechanism for users of the C: names, types, comments.
 
-use linkage_compiler::ir::Shape;
+use linkage_compiler::ir::{CompiledMechanism, Shape};
 use linkage_export::Declarations;
 
 use super::constant::{CONSTANTS_OF_ALL, constant};
@@ -36,6 +36,12 @@ pub(crate) struct Surface<'a> {
 }
 
 impl Surface<'_> {
+    /// The compiled mechanism, the beginning of all public names, and that of private ones.
+    pub(crate) fn unit_and_prefixes(&self) -> (&CompiledMechanism, &str, &str) {
+        let declarations = &self.declarations;
+        (declarations.unit, &declarations.name, &declarations.private)
+    }
+
     /// The types of vectors and frames that occur, each with its definition.
     pub(crate) fn vector_types(&self) -> Vec<String> {
         let types = self.declarations.types.iter().map(|declared| {

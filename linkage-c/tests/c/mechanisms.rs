@@ -6,7 +6,7 @@ use linkage_random::{Random, one_in};
 
 use crate::batch::{Batch, Number, Request};
 use crate::machine::Compiler;
-use linkage_corpus::given::{Given, exported, turning};
+use linkage_corpus::given::{self, Given, exported, turning};
 use linkage_corpus::reference::Assembled;
 
 /// Sets of dimensions of each mechanism, and positions for each: the defaults and the reference first.
@@ -34,28 +34,15 @@ fn dimensions<T: Number>(unit: &CompiledMechanism, set: usize, random: &mut Rand
     moved.map(T::from_f64).collect()
 }
 
-/// Arguments of a function: the reference, then places in the range and around it.
+/// Arguments of a function as numbers of this type.
 pub(crate) fn arguments<T: Number>(
     unit: &CompiledMechanism,
     function: usize,
     position: usize,
     random: &mut Random,
 ) -> Vec<T> {
-    let own = unit.functions[function].arguments.iter();
-    let mut one = |&place: &usize| match unit.inputs.get(place) {
-        Some(input) if position == 0 => input.reference,
-        Some(input) => {
-            let around = if input.angle { 7.0 } else { 0.3 * unit.longest };
-            let (low, high) = input
-                .range
-                .unwrap_or((input.reference - around, input.reference + around));
-            // Every third position may be far out of reach.
-            let beyond = if position % 3 == 2 { 2.0 } else { 0.1 } * (high - low);
-            random.between(low - beyond, high + beyond)
-        }
-        None => random.load(10.0),
-    };
-    own.map(|place| T::from_f64(one(place))).collect()
+    let values = given::arguments(unit, function, position, random);
+    values.into_iter().map(T::from_f64).collect()
 }
 
 /// What is asked of all mechanisms, and what the reference gives: `None` where nothing is assembled.

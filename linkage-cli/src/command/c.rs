@@ -1,16 +1,12 @@
 //! `linkage c`: mechanisms as C99 for controllers.
 
-use std::fs;
-use std::path::PathBuf;
-
 use clap::{Args, ValueEnum};
 use linkage_c::{Real, Refused, Sources, all_sources, column_sweeps};
 use linkage_engine::Mechanism;
 
 use super::choose::Chosen;
-use super::output::{print, put};
 use super::range;
-use super::replaced::refuse_mechanism;
+use super::target_folder::TargetFolder;
 use super::values::Dimensions;
 use crate::failure::Failure;
 
@@ -21,9 +17,8 @@ pub(super) struct Options {
     chosen: Chosen,
     #[command(flatten)]
     dimensions: Dimensions,
-    /// The folder; by default the one at hand
-    #[arg(short, long, value_name = "DIR", default_value = ".")]
-    output: PathBuf,
+    #[command(flatten)]
+    folder: TargetFolder,
     /// What is computed with; with `float` nothing is computed in double
     #[arg(long, value_enum, default_value_t = Scalar::Double)]
     scalar: Scalar,
@@ -66,16 +61,9 @@ pub(super) fn run(options: &Options) -> Result<(), Failure> {
     for (name, unit) in named.iter().filter(|_| options.columns) {
         columns.push(column_sweeps(name, unit, real).map_err(refused)?);
     }
-    let folder = &options.output;
-    refuse_mechanism(folder, options.chosen.file())?;
-    fs::create_dir_all(folder).map_err(|error| Failure::file("make", folder, &error))?;
-    let write = |file: String, text: &str| -> Result<(), Failure> {
-        let path = folder.join(file);
-        put(Some(&path), options.chosen.file(), |out| {
-            out.write_all(text.as_bytes())
-        })?;
-        print(&format!("{}\n", path.display()))
-    };
+    let (folder, input) = (&options.folder, options.chosen.file());
+    folder.make(input)?;
+    let write = |file: String, text: &str| folder.write(input, &file, text);
     for Sources {
         name,
         header,

@@ -2,12 +2,11 @@
 
 use std::fs;
 
-use crate::{folder, printed, refused};
+use crate::{refused, slider};
 
 #[test]
 fn bad_input_is_told_in_one_message() {
-    let folder = folder("bad");
-    printed(&folder, &["new", "own.mech"]);
+    let folder = slider("bad");
     let table = |more: &[&str]| {
         let all = [&["table", "own.mech", "stroke"], more].concat();
         refused(&folder, &all, 1)
@@ -105,8 +104,7 @@ fn bad_input_is_told_in_one_message() {
 
 #[test]
 fn wrong_usage_has_a_status_of_its_own() {
-    let folder = folder("usage");
-    printed(&folder, &["new", "own.mech"]);
+    let folder = slider("usage");
     for arguments in [
         &["tabel", "own.mech"][..],
         &["table"],

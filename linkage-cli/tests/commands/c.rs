@@ -4,7 +4,7 @@ use std::fs;
 
 use linkage_c::{Real, sources};
 
-use crate::{favorit, folder, linkage, printed, refused};
+use crate::{favorit, folder, linkage, printed, refused, slider};
 
 /// What the library prints for the mechanism that `linkage new` writes.
 fn of_the_library(text: &str, real: Real) -> [String; 2] {
@@ -17,8 +17,7 @@ fn of_the_library(text: &str, real: Real) -> [String; 2] {
 
 #[test]
 fn both_files_are_those_of_the_library() {
-    let folder = folder("c");
-    printed(&folder, &["new", "own.mech"]);
+    let folder = slider("c");
     let text = fs::read_to_string(folder.join("own.mech")).expect("the mechanism");
     for (scalar, real) in [("double", Real::Double), ("float", Real::Single)] {
         let said = printed(
@@ -62,8 +61,7 @@ fn sweeps_into_columns_have_files_of_their_own() {
 /// The folder cannot be made where a file stands: nothing is written.
 #[test]
 fn a_folder_that_cannot_be_made_is_told() {
-    let folder = folder("c_refused");
-    printed(&folder, &["new", "own.mech"]);
+    let folder = slider("c_refused");
     let said = refused(&folder, &["c", "own.mech", "-o", "own.mech/out"], 1);
     assert!(
         said.starts_with("error: cannot make `own.mech/out`: "),

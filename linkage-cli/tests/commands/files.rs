@@ -3,12 +3,11 @@
 use std::fs;
 use std::process::Command;
 
-use crate::{folder, printed};
+use crate::{printed, slider};
 
 #[test]
 fn a_file_is_replaced_as_a_whole() {
-    let folder = folder("whole");
-    printed(&folder, &["new", "own.mech"]);
+    let folder = slider("whole");
     let into = |steps| {
         printed(
             &folder,
@@ -30,8 +29,7 @@ fn a_file_is_replaced_as_a_whole() {
 #[test]
 #[cfg(unix)]
 fn a_file_that_cannot_be_written_stays_as_it_was() {
-    let folder = folder("limit");
-    printed(&folder, &["new", "own.mech"]);
+    let folder = slider("limit");
     let old = ["table", "own.mech", "stroke", "--steps", "3", "-o", "t.csv"];
     printed(&folder, &old);
     let before = fs::read_to_string(folder.join("t.csv")).expect("a file");
@@ -61,8 +59,7 @@ fn a_file_that_cannot_be_written_stays_as_it_was() {
 #[cfg(unix)]
 fn a_device_stays_a_device() {
     use std::os::unix::fs::FileTypeExt;
-    let folder = folder("device");
-    printed(&folder, &["new", "own.mech"]);
+    let folder = slider("device");
     printed(&folder, &["table", "own.mech", "stroke", "-o", "/dev/null"]);
     let kind = fs::metadata("/dev/null").expect("it is there").file_type();
     assert!(kind.is_char_device());

@@ -2,12 +2,11 @@
 
 use std::fs;
 
-use crate::{folder, linkage, printed, refused};
+use crate::{folder, linkage, printed, refused, slider};
 
 #[test]
 fn both_files_are_those_of_the_library() {
-    let folder = folder("js");
-    printed(&folder, &["new", "own.mech"]);
+    let folder = slider("js");
     let text = fs::read_to_string(folder.join("own.mech")).expect("the mechanism");
     let said = printed(&folder, &["js", "own.mech", "-o", "sub/out"]);
     assert_eq!(said, "sub/out/SliderCrank.js\nsub/out/SliderCrank.d.ts\n");
@@ -21,8 +20,7 @@ fn both_files_are_those_of_the_library() {
 
 #[test]
 fn a_folder_that_cannot_be_made_is_told() {
-    let folder = folder("js_refused");
-    printed(&folder, &["new", "own.mech"]);
+    let folder = slider("js_refused");
     let said = refused(&folder, &["js", "own.mech", "-o", "own.mech/out"], 1);
     assert!(
         said.starts_with("error: cannot make `own.mech/out`: "),

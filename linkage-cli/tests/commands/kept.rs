@@ -6,7 +6,7 @@ use std::process::{Child, Command, Stdio};
 use std::thread::sleep;
 use std::time::Duration;
 
-use crate::{folder, linkage, printed, refused};
+use crate::{folder, linkage, printed, refused, slider};
 
 /// Names of all files.
 fn names(folder: &Path) -> Vec<String> {
@@ -138,8 +138,7 @@ fn shell(folder: &Path, script: &str) {
 #[test]
 #[cfg(unix)]
 fn open_files_are_written_to() {
-    let folder = folder("open");
-    printed(&folder, &["new", "own.mech"]);
+    let folder = slider("open");
     let table = ["table", "own.mech", "stroke", "--steps", "2"];
     let expected = printed(&folder, &table);
     let command = "\"$0\" table own.mech stroke --steps 2 -o";
@@ -178,8 +177,7 @@ fn open_files_are_written_to() {
 #[cfg(unix)]
 fn the_mode_of_a_replaced_file_stays() {
     use std::os::unix::fs::PermissionsExt;
-    let folder = folder("mode");
-    printed(&folder, &["new", "own.mech"]);
+    let folder = slider("mode");
     for mode in [0o600, 0o666, 0o755] {
         let path = folder.join("t.csv");
         fs::write(&path, "").expect("written");
@@ -206,8 +204,7 @@ impl Drop for Running {
 
 #[test]
 fn what_a_killed_run_left_is_removed() {
-    let folder = folder("killed");
-    printed(&folder, &["new", "own.mech"]);
+    let folder = slider("killed");
     let run = |output: &str| {
         let mut command = Command::new(env!("CARGO_BIN_EXE_linkage"));
         command
@@ -260,8 +257,7 @@ fn what_a_killed_run_left_is_removed() {
 #[test]
 #[cfg(unix)]
 fn a_planted_link_is_not_followed() {
-    let folder = folder("planted");
-    printed(&folder, &["new", "own.mech"]);
+    let folder = slider("planted");
     fs::write(folder.join("victim"), "mine").expect("written");
     // The name that a process of this number took for its file.
     let script =

@@ -45,6 +45,25 @@ fn folder(name: &str) -> PathBuf {
     folder
 }
 
+/// A folder with the first template, a slider-crank, in the file `own.mech`.
+fn slider(name: &str) -> PathBuf {
+    let folder = folder(name);
+    printed(&folder, &["new", "own.mech"]);
+    folder
+}
+
+/// Three positions over half a turn of the slider-crank, in line with its guide.
+const IN_LINE: [&str; 8] = [
+    "--set",
+    "offset=0mm",
+    "--from",
+    "0deg",
+    "--to",
+    "180deg",
+    "--steps",
+    "3",
+];
+
 fn linkage(folder: &Path, arguments: &[&str]) -> Output {
     let mut command = Command::new(env!("CARGO_BIN_EXE_linkage"));
     command.current_dir(folder).args(arguments);

@@ -1,11 +1,10 @@
 //! Tables of any length in the same memory, and what does not fit into it.
 
-use crate::{folder, printed, refused};
+use crate::{refused, slider};
 
 #[test]
 fn json_computed_in_several_passes_has_the_numbers_of_the_lines() {
-    let folder = folder("passes");
-    printed(&folder, &["new", "own.mech"]);
+    let folder = slider("passes");
     // Four columns, of which three are written in a first pass.
     let table = [
         "table", "own.mech", "stroke", "--steps", "100000", "--set", "rod=38mm",
@@ -46,8 +45,7 @@ fn json_computed_in_several_passes_has_the_numbers_of_the_lines() {
 #[cfg(target_os = "linux")]
 fn a_long_table_takes_no_more_memory_than_a_short_one() {
     use std::io::{BufRead, BufReader};
-    let folder = folder("long");
-    printed(&folder, &["new", "own.mech"]);
+    let folder = slider("long");
     let rows = match linkage_random::is_long() {
         true => 10_000_000,
         false => 300_000,
@@ -69,8 +67,7 @@ fn a_long_table_takes_no_more_memory_than_a_short_one() {
 
 #[test]
 fn rows_that_do_not_fit_are_refused() {
-    let folder = folder("rows");
-    printed(&folder, &["new", "own.mech"]);
+    let folder = slider("rows");
     for (command, columns, gigabytes) in [
         (&["page", "own.mech"][..], 19, "7600.0 GB"),
         (&["tolerance", "own.mech", "accuracy"], 6, "2880.0 GB"),

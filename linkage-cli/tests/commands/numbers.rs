@@ -2,7 +2,7 @@
 
 use std::fs;
 
-use crate::{folder, printed, refused};
+use crate::{IN_LINE, folder, printed, refused, slider};
 
 /// The rows of a text, as words.
 fn rows(text: &str) -> Vec<Vec<&str>> {
@@ -13,20 +13,9 @@ fn rows(text: &str) -> Vec<Vec<&str>> {
 
 #[test]
 fn tolerances_are_set() {
-    let folder = folder("set_tolerances");
-    printed(&folder, &["new", "own.mech"]);
-    let at = [
-        "--set",
-        "offset=0mm",
-        "--from",
-        "0deg",
-        "--to",
-        "180deg",
-        "--steps",
-        "3",
-    ];
+    let folder = slider("set_tolerances");
     let figures = |set: &[&str]| {
-        let all = [&["tolerance", "own.mech", "accuracy"], &at[..], set].concat();
+        let all = [&["tolerance", "own.mech", "accuracy"], &IN_LINE[..], set].concat();
         let text = printed(&folder, &all);
         let row = rows(&text)[2]
             .iter()
@@ -117,8 +106,7 @@ fn inches_and_pounds_are_units() {
 
 #[test]
 fn assemblies_and_circuits_number_alike() {
-    let folder = folder("alike_numbers");
-    printed(&folder, &["new", "own.mech"]);
+    let folder = slider("alike_numbers");
     let text = fs::read_to_string(folder.join("own.mech")).expect("the mechanism");
     // The other estimates choose the other assembly, which is the first then.
     let start = text.find("unknown theta = ").expect("an estimate");
@@ -193,8 +181,7 @@ fn units_are_not_names() {
 
 #[test]
 fn values_are_refused_in_words_of_the_command_line() {
-    let folder = folder("values");
-    printed(&folder, &["new", "own.mech"]);
+    let folder = slider("values");
     for (set, expected) in [
         (
             "crank=1mm/0",
@@ -234,8 +221,7 @@ fn values_are_refused_in_words_of_the_command_line() {
 
 #[test]
 fn zero_is_printed_without_sign_and_noise() {
-    let folder = folder("zero");
-    printed(&folder, &["new", "own.mech"]);
+    let folder = slider("zero");
     let text = printed(&folder, &["assemblies", "own.mech", "--at", "phi=-0deg"]);
     assert!(text.starts_with("SliderCrank at phi = 0 deg: 2"), "{text}");
     let mirrored = ["--set", "offset=0mm", "--from", "-0deg", "--to", "90deg"];

@@ -8,7 +8,7 @@ use std::time::{Duration, Instant};
 
 use linkage_engine::Source;
 
-use crate::{favorit, folder, linkage, printed, refused};
+use crate::{favorit, folder, linkage, printed, refused, slider};
 
 #[test]
 fn a_page_has_all_functions() {
@@ -72,8 +72,7 @@ fn what_does_not_move_is_left_out_of_pages_and_circuits() {
 
 #[test]
 fn a_watched_page_follows_its_file() {
-    let folder = folder("watch");
-    printed(&folder, &["new", "own.mech"]);
+    let folder = slider("watch");
     let mut command = Command::new(env!("CARGO_BIN_EXE_linkage"));
     command
         .current_dir(&folder)

@@ -2,7 +2,7 @@
 
 use std::fs;
 
-use crate::{folder, printed, refused};
+use crate::{folder, refused, slider};
 
 /// No more than 80 characters of a run of this letter, with an ellipsis.
 fn is_brief(said: &str, letter: char) {
@@ -16,8 +16,7 @@ fn is_brief(said: &str, letter: char) {
 
 #[test]
 fn a_message_repeats_at_most_80_characters() {
-    let folder = folder("quoted");
-    printed(&folder, &["new", "own.mech"]);
+    let folder = slider("quoted");
     let long = "x".repeat(5000);
     let pair = format!("{long}=3mm");
     let value = format!("crank={long}");

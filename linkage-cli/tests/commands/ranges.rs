@@ -3,7 +3,7 @@
 use std::fs;
 use std::path::PathBuf;
 
-use crate::{folder, linkage, printed, refused};
+use crate::{folder, linkage, printed, refused, slider};
 
 const FOUR_BAR: &str = "
 mechanism! {
@@ -192,8 +192,7 @@ fn circuits_do_not_depend_on_the_beginning_of_a_turn() {
 
 #[test]
 fn negative_lengths_are_warned_of() {
-    let folder = folder("ranges_negative");
-    printed(&folder, &["new", "own.mech"]);
+    let folder = slider("ranges_negative");
     let table = ["table", "own.mech", "stroke", "--steps", "1", "--set"];
     // The offset of the guide has a sign.
     printed(&folder, &[&table[..], &["offset=-5mm"]].concat());

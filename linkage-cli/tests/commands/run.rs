@@ -28,28 +28,8 @@ const PRESS: &str = "
     }
 ";
 
-/// Two stones that fall beside each other, and a lever whose input is a length with an end.
-const OTHERS: &str = "
-    pub struct Stones {
-        unit m;
-        input y = 0m at v;
-        input z = 0m at w;
-        gravity = (0, -10m/s^2);
-        body first = slide on frame at (0, y) along (0, 1), mass 1kg at (0, y);
-        body second = slide on first at (0, y + z) along (0, 1), mass 3kg at (0, y + z);
-    }
-    impl Stones { pub fn fall(y, z, v, w) -> Fall { a: driven_acceleration(y), b: driven_acceleration(z) } }
-    pub struct Jack {
-        unit mm;
-        argument push = 1N;
-        input s = 70mm in 60mm..80mm at v;
-        unknown psi = 45deg;
-        loop distance((s, 0), polar(40mm, psi)) = 50mm;
-        body ram = slide on frame at (s, 0) along (1, 0), mass 1kg at (s, 0);
-        force (push, 0) on ram at (s, 0);
-    }
-    impl Jack { pub fn lift(s, v, push) -> Lift { a: driven_acceleration(s), psi } }
-";
+/// Two stones, and a lever whose input is a length with an end.
+const OTHERS: &str = include_str!("../others.mech");
 
 /// A folder with both files.
 fn files(name: &str) -> PathBuf {

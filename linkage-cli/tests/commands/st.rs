@@ -2,12 +2,11 @@
 
 use std::fs;
 
-use crate::{folder, linkage, printed, refused};
+use crate::{folder, linkage, printed, refused, slider};
 
 #[test]
 fn the_file_is_that_of_the_library() {
-    let folder = folder("st");
-    printed(&folder, &["new", "own.mech"]);
+    let folder = slider("st");
     let text = fs::read_to_string(folder.join("own.mech")).expect("the mechanism");
     let said = printed(&folder, &["st", "own.mech", "-o", "sub/out"]);
     assert_eq!(said, "sub/out/SliderCrank.st\n");
@@ -20,8 +19,7 @@ fn the_file_is_that_of_the_library() {
 
 #[test]
 fn other_dimensions_become_those_of_the_declaration() {
-    let folder = folder("st_set");
-    printed(&folder, &["new", "own.mech"]);
+    let folder = slider("st_set");
     printed(&folder, &["st", "own.mech", "--set", "crank=41mm"]);
     let file = fs::read_to_string(folder.join("SliderCrank.st")).expect("it was written");
     assert!(

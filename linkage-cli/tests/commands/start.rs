@@ -2,12 +2,11 @@
 
 use std::fs;
 
-use crate::{folder, printed, refused};
+use crate::{IN_LINE, printed, refused, slider};
 
 #[test]
 fn the_mechanism_to_start_from_has_everything() {
-    let folder = folder("start");
-    printed(&folder, &["new", "own.mech"]);
+    let folder = slider("start");
     let again = refused(&folder, &["new", "own.mech"], 1);
     assert!(
         again.starts_with("error: cannot write `own.mech`: "),
@@ -39,20 +38,9 @@ fn the_mechanism_to_start_from_has_everything() {
 
 #[test]
 fn tolerances_add_up() {
-    let folder = folder("tolerances");
-    printed(&folder, &["new", "own.mech"]);
+    let folder = slider("tolerances");
     // In line with the guide crank and rod count fully, and the offset not at all.
-    let line = [
-        "--set",
-        "offset=0mm",
-        "--from",
-        "0deg",
-        "--to",
-        "180deg",
-        "--steps",
-        "3",
-    ];
-    let all = [&["tolerance", "own.mech", "accuracy"], &line[..]].concat();
+    let all = [&["tolerance", "own.mech", "accuracy"], &IN_LINE[..]].concat();
     let text = printed(&folder, &all);
     assert!(text.starts_with("e [mm]\nphi [deg]  worst case"), "{text}");
     let row: Vec<f64> = text
@@ -74,8 +62,7 @@ fn tolerances_add_up() {
 
 #[test]
 fn one_of_several_mechanisms_is_chosen_by_its_name() {
-    let folder = folder("chosen");
-    printed(&folder, &["new", "own.mech"]);
+    let folder = slider("chosen");
     let text = fs::read_to_string(folder.join("own.mech")).expect("the mechanism");
     let other = text.replace("SliderCrank", "Other").replace("40mm", "45mm");
     fs::write(folder.join("two.mech"), text + &other).expect("it can be written");

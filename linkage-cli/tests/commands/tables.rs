@@ -1,11 +1,10 @@
 //! Tables.
 
-use crate::{folder, linkage, printed};
+use crate::{linkage, printed, slider};
 
 #[test]
 fn tables_are_for_spreadsheets_and_programs() {
-    let folder = folder("tables");
-    printed(&folder, &["new", "own.mech"]);
+    let folder = slider("tables");
     let german = [
         "table",
         "own.mech",
@@ -62,8 +61,7 @@ fn tables_are_for_spreadsheets_and_programs() {
 
 #[test]
 fn gaps_are_empty_cells_and_are_told() {
-    let folder = folder("gaps");
-    printed(&folder, &["new", "own.mech"]);
+    let folder = slider("gaps");
     let short = [
         "table", "own.mech", "stroke", "--steps", "5", "--set", "rod=38mm",
     ];

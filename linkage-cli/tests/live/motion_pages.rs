@@ -36,28 +36,11 @@ const PRESS: &str = "
     }
 ";
 
-/// Two stones that fall beside each other, a lever whose input is a length with an end, and a piston with a crank that has dead points.
-const OTHERS: &str = "
-    pub struct Stones {
-        unit m;
-        input y = 0m at v;
-        input z = 0m at w;
-        gravity = (0, -10m/s^2);
-        body first = slide on frame at (0, y) along (0, 1), mass 1kg at (0, y);
-        body second = slide on first at (0, y + z) along (0, 1), mass 3kg at (0, y + z);
-    }
-    impl Stones { pub fn fall(y, z, v, w) -> Fall { a: driven_acceleration(y), b: driven_acceleration(z) } }
-    pub struct Jack {
-        unit mm;
-        param bar = 50mm;
-        argument push = 1N;
-        input s = 70mm in 60mm..80mm at v;
-        unknown psi = 45deg;
-        loop distance((s, 0), polar(40mm, psi)) = bar;
-        body ram = slide on frame at (s, 0) along (1, 0), mass 1kg at (s, 0);
-        force (push, 0) on ram at (s, 0);
-    }
-    impl Jack { pub fn lift(s, v, push) -> Lift { a: driven_acceleration(s), psi } }
+/// Two stones, and a lever whose input is a length with an end.
+const OTHERS: &str = include_str!("../others.mech");
+
+/// A piston with a crank that has dead points.
+const PISTON: &str = "
     pub struct Piston {
         unit mm;
         param rod = 120mm;
@@ -77,7 +60,7 @@ const OTHERS: &str = "
 fn run(folder: &PathBuf, arguments: &[&str]) -> Output {
     fs::create_dir_all(folder).expect("a folder");
     fs::write(folder.join("press.mech"), PRESS).expect("a file");
-    fs::write(folder.join("others.mech"), OTHERS).expect("a file");
+    fs::write(folder.join("others.mech"), [OTHERS, PISTON].concat()).expect("a file");
     let mut command = Command::new(env!("CARGO_BIN_EXE_linkage"));
     let command = command.arg("run").args(arguments).current_dir(folder);
     command.output().expect("it runs")

@@ -62,8 +62,16 @@ const EDITORS: [Offer; 4] = [
     },
 ];
 
-fn params(offer: &Offer) -> Value {
-    serde_json::from_str(offer.params).expect("JSON")
+/// Runs a test with the server that each editor starts: the offer, the name of the editor, the first
+/// answer.
+fn with_each_editor(test: impl Fn(&Offer, &Value, &mut Client, &Value)) {
+    for offer in &EDITORS {
+        let params: Value = serde_json::from_str(offer.params).expect("JSON");
+        let name = params["clientInfo"]["name"].clone();
+        let (mut client, answer) = Client::start_as(params);
+        test(offer, &name, &mut client, &answer);
+        client.stop();
+    }
 }
 
 /// Notifications that editors send without a request of the server; none has an answer.
@@ -87,10 +95,7 @@ fn tell_more(client: &mut Client) {
 
 #[test]
 fn the_answers_fit_what_each_editor_offers() {
-    for offer in &EDITORS {
-        let params = params(offer);
-        let name = &params["clientInfo"]["name"];
-        let (mut client, answer) = Client::start_as(params.clone());
+    with_each_editor(|offer, name, client, answer| {
         let able = &answer["capabilities"];
         assert_eq!(able["positionEncoding"], offer.encoding, "{name}");
         let prepares = able["renameProvider"]["prepareProvider"] == json!(true);
@@ -102,7 +107,7 @@ fn the_answers_fit_what_each_editor_offers() {
             able["codeActionProvider"]["codeActionKinds"][0], "quickfix",
             "{name}"
         );
-        tell_more(&mut client);
+        tell_more(client);
 
         client.begin_open("linkage", TWICE);
         let messages = client.first_messages();
@@ -143,16 +148,12 @@ fn the_answers_fit_what_each_editor_offers() {
             json!({ "textDocument": { "uri": URI } }),
         );
         assert_eq!(error_code(&client.answer(id)), Some(-32601), "{name}");
-        client.stop();
-    }
+    });
 }
 
 #[test]
 fn hints_are_asked_for_again_where_the_editor_can() {
-    for offer in &EDITORS {
-        let params = params(offer);
-        let name = params["clientInfo"]["name"].clone();
-        let (mut client, _) = Client::start_as(params);
+    with_each_editor(|offer, name, client, _| {
         client.begin_open("linkage", &template("slider"));
         assert_eq!(client.first_messages(), json!([]), "{name}");
         if offer.refreshes_hints {
@@ -169,17 +170,13 @@ fn hints_are_asked_for_again_where_the_editor_can() {
                 "{name}"
             );
         }
-        client.stop();
-    }
+    });
 }
 
 /// Editors send pieces or the whole text, and several changes at once.
 #[test]
 fn changes_come_in_pieces_or_whole() {
-    for offer in &EDITORS {
-        let params = params(offer);
-        let name = params["clientInfo"]["name"].clone();
-        let (mut client, _) = Client::start_as(params);
+    with_each_editor(|offer, name, client, _| {
         client.begin_open("linkage", TWICE);
         client.first_messages();
         client.change_whole(&TWICE.replace("param r = 4mm", "param s = 4mm"));
@@ -197,6 +194,5 @@ fn changes_come_in_pieces_or_whole() {
             column + 5,
             "{name}: {messages}"
         );
-        client.stop();
-    }
+    });
 }

@@ -44,6 +44,19 @@ pub(crate) struct Joint {
     pub(crate) follows: Option<(usize, Vec<f64>)>,
 }
 
+impl Joint {
+    /// Returns the bodies that have the point of the joint of a body: on a slide it leaves the
+    /// parent.
+    pub(crate) fn bodies(&self, body: usize) -> Vec<usize> {
+        match self.motion {
+            Motion::Slide(_) => vec![body],
+            Motion::Hinge(_) | Motion::Ball | Motion::Free | Motion::Fixed => {
+                vec![body, self.parent]
+            }
+        }
+    }
+}
+
 /// A mass with its tensor about the centre, in fixed axes.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Mass {

@@ -2,6 +2,7 @@
 
 use super::model::{ClosingJoint, Closure, Joint, Motion};
 use super::motion_plane::Plane;
+use super::offsets::Offsets;
 use super::wording::{Sections, Wording};
 use crate::placement::{Vector, cross};
 
@@ -12,8 +13,7 @@ pub(super) struct Writer<'w, 'c> {
     /// The angle of each body; none for bodies that do not turn.
     pub(super) turns: Vec<Option<String>>,
     pub(super) sections: Sections,
-    /// Parameters by bodies and what they lead to.
-    pub(super) offsets: Vec<(usize, [f64; 2], String)>,
+    offsets: Offsets<2>,
     /// The joints that close loops, between bodies.
     pub(super) closing_joints: Vec<String>,
 }
@@ -26,7 +26,7 @@ pub(super) fn sections(wording: &mut Wording, plane: Plane) -> Sections {
         plane,
         turns: vec![None; count],
         sections: Sections::default(),
-        offsets: Vec::new(),
+        offsets: Offsets::default(),
         closing_joints: Vec::new(),
     };
     writer.wording.inputs(&mut writer.sections);
@@ -81,18 +81,9 @@ impl Writer<'_, '_> {
         if offset[0].hypot(offset[1]) < 1e-12 * self.wording.chain.size {
             return name;
         }
-        let same = |known: &&(usize, [f64; 2], String)| known.0 == body && known.1 == offset;
-        let known = self.offsets.iter().find(same).map(|known| known.2.clone());
-        let offset_name = known.unwrap_or_else(|| {
-            let wanted = format!("{}_{what}", self.wording.bodies[body]);
-            let unique = self.wording.names.unique(&wanted, "of_");
-            let value = self.wording.point(&offset);
-            self.sections
-                .parameters
-                .push(format!("param {unique} = {value};"));
-            self.offsets.push((body, offset, unique.clone()));
-            unique
-        });
+        let offset_name =
+            self.offsets
+                .parameter(self.wording, &mut self.sections, (body, offset), what);
         format!("{name} + {}", self.turned(body, &offset_name))
     }
 
@@ -159,13 +150,7 @@ impl Writer<'_, '_> {
                 self.turns[body] = Some(format!("{name}.angle"));
             }
         }
-        let bodies = match joint.motion {
-            Motion::Slide(_) => vec![body],
-            Motion::Hinge(_) | Motion::Ball | Motion::Free | Motion::Fixed => {
-                vec![body, joint.parent]
-            }
-        };
-        self.sections.point(pivot, bodies, joint.at);
+        self.sections.point(pivot, joint.bodies(body), joint.at);
         if let Some(turn) = &self.turns[body]
             && !turn.contains('.')
             && !self.sections.quantities.contains(turn)

@@ -3,6 +3,7 @@
 use std::collections::BTreeMap;
 
 use super::model::Motion;
+use super::offsets::Offsets;
 use super::wording::{Sections, Wording};
 use crate::placement::{Vector, difference, length};
 
@@ -10,8 +11,7 @@ use crate::placement::{Vector, difference, length};
 pub(super) struct Writer<'w, 'c> {
     pub(super) wording: &'w mut Wording<'c>,
     pub(super) sections: Sections,
-    /// Parameters by bodies and what they lead to.
-    offsets: Vec<(usize, Vector, String)>,
+    offsets: Offsets<3>,
     /// The far end of each rod, by its body.
     pub(super) rod_ends: BTreeMap<usize, String>,
     /// The joints of the mechanics that close loops.
@@ -23,7 +23,7 @@ pub(super) fn sections(wording: &mut Wording) -> Sections {
     let mut writer = Writer {
         wording,
         sections: Sections::default(),
-        offsets: Vec::new(),
+        offsets: Offsets::default(),
         rod_ends: BTreeMap::new(),
         closing_joints: Vec::new(),
     };
@@ -101,18 +101,10 @@ impl Writer<'_, '_> {
         if length(offset) < 1e-12 * self.wording.chain.size {
             return None;
         }
-        let same = |known: &&(usize, Vector, String)| known.0 == body && known.1 == offset;
-        let known = self.offsets.iter().find(same).map(|known| known.2.clone());
-        Some(known.unwrap_or_else(|| {
-            let wanted = format!("{}_{what}", self.wording.bodies[body]);
-            let unique = self.wording.names.unique(&wanted, "of_");
-            let value = self.wording.point(&offset);
-            self.sections
-                .parameters
-                .push(format!("param {unique} = {value};"));
-            self.offsets.push((body, offset, unique.clone()));
-            unique
-        }))
+        let parameter =
+            self.offsets
+                .parameter(self.wording, &mut self.sections, (body, offset), what);
+        Some(parameter)
     }
 
     fn body(&mut self, body: usize) {
@@ -161,12 +153,6 @@ impl Writer<'_, '_> {
                 }
             }
         }
-        let bodies = match joint.motion {
-            Motion::Slide(_) => vec![body],
-            Motion::Hinge(_) | Motion::Ball | Motion::Free | Motion::Fixed => {
-                vec![body, joint.parent]
-            }
-        };
-        self.sections.point(pivot, bodies, joint.at);
+        self.sections.point(pivot, joint.bodies(body), joint.at);
     }
 }

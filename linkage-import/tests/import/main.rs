@@ -15,3 +15,5 @@ mod speeds;
 
 #[path = "../shared/memory.rs"]
 mod memory;
+#[path = "../shared/survival.rs"]
+mod survival;

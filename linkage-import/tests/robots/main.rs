@@ -11,6 +11,8 @@ mod solver;
 
 #[path = "../shared/memory.rs"]
 mod memory;
+#[path = "../shared/survival.rs"]
+mod survival;
 
 use std::fs;
 use std::path::Path;

@@ -2,6 +2,7 @@
 
 pub(crate) mod curved_slots;
 mod four_bar;
+pub(crate) mod pictures;
 mod quick_return;
 mod spatial;
 
@@ -10,7 +11,7 @@ pub(crate) use four_bar::{FourBar, MOTION};
 pub(crate) use quick_return::quick_return;
 pub(crate) use spatial::spatial;
 
-use linkage_runtime::{Column, Heading, Input, Meaning, Table};
+use linkage_runtime::{Column, Heading, Input, Meaning, Picture, Table};
 
 /// The results of a sweep.
 pub(crate) struct Sweep {
@@ -70,6 +71,30 @@ pub(crate) const fn value(name: &'static str, unit: &'static str) -> Column {
 
 pub(crate) const fn pictured(name: &'static str, unit: &'static str) -> Column {
     column(name, unit, Meaning::Picture)
+}
+
+/// The heading of a function whose columns are those of this picture.
+pub(crate) const fn picture_heading(
+    columns: &'static [Column],
+    picture: &'static Picture,
+) -> Heading {
+    Heading {
+        function: "pictured",
+        arguments: &["phi"],
+        columns,
+        picture: pictures::drawn(picture),
+    }
+}
+
+/// Columns of a picture: coordinates in millimetres, then the components of directions.
+pub(crate) const fn drawn_columns<const N: usize>(coordinates: usize) -> [Column; N] {
+    let mut columns = [pictured("picture.x", "mm"); N];
+    let mut i = coordinates;
+    while i < N {
+        columns[i] = pictured("picture.direction", "");
+        i += 1;
+    }
+    columns
 }
 
 pub(crate) const fn column(name: &'static str, unit: &'static str, meaning: Meaning) -> Column {

@@ -1,78 +1,40 @@
 //! Machines: what is drawn of their parts, and their cyclogram.
 
-use crate::fixture::{FourBar, PHI, Sweep, pictured, polar};
+use crate::fixture::pictures::{EMPTY, link, part, point};
+use crate::fixture::{FourBar, PHI, Sweep, drawn_columns, picture_heading, polar};
 use crate::picture::{classed, words};
 use dxf::entities::EntityType;
 use linkage_analysis::cyclogram::{Band, Cyclogram, Member};
 use linkage_analysis::summary::Curve;
 use linkage_report::Report;
-use linkage_runtime::{
-    Column, Heading, Input, Picture, PictureColumns, PictureLink, PicturePart, PicturePoint,
-    PointKind,
-};
+use linkage_runtime::{Column, Heading, Input, Picture, PointKind};
 use roxmltree::Document;
 use serde_json::{Value, json};
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_6, TAU};
 
-const COLUMNS: [Column; 8] = [pictured("picture.x", "mm"); 8];
+const COLUMNS: [Column; 8] = drawn_columns(8);
 
 /// Two cranks on one pivot, and an arm of the machine itself.
-const HEADING: Heading = Heading {
-    function: "pictured",
-    arguments: &["phi"],
-    columns: &COLUMNS,
-    picture: Some(PictureColumns {
-        first: 0,
-        picture: &Picture {
-            dimension: 2,
-            points: &[
-                point("hook.pivot", PointKind::Ground),
-                point("hook.pin", PointKind::Tip),
-                point("eye.pin", PointKind::Joint),
-                point("end", PointKind::Tip),
-            ],
-            directions: &[],
-            links: &[
-                PictureLink {
-                    name: "arm",
-                    points: &[2, 3],
-                },
-                PictureLink {
-                    name: "eye.crank",
-                    points: &[0, 2],
-                },
-                PictureLink {
-                    name: "hook.crank",
-                    points: &[0, 1],
-                },
-            ],
-            guides: &[],
-            axes: &[],
-            joints: &[],
-            gears: &[],
-            drives: &[],
-            undrawn: &[],
-            parts: &[
-                PicturePart {
-                    name: "hook",
-                    points: &[0, 1],
-                    links: &[2],
-                    guides: &[],
-                },
-                PicturePart {
-                    name: "eye",
-                    points: &[0, 2],
-                    links: &[1],
-                    guides: &[],
-                },
-            ],
-        },
-    }),
+static PICTURE: Picture = Picture {
+    points: &[
+        point("hook.pivot", PointKind::Ground),
+        point("hook.pin", PointKind::Tip),
+        point("eye.pin", PointKind::Joint),
+        point("end", PointKind::Tip),
+    ],
+    links: &[
+        link("arm", &[2, 3]),
+        link("eye.crank", &[0, 2]),
+        link("hook.crank", &[0, 1]),
+    ],
+    parts: &[
+        part("hook", &[0, 1], &[2], &[]),
+        part("eye", &[0, 2], &[1], &[]),
+    ],
+    ..EMPTY
 };
 
-const fn point(name: &'static str, kind: PointKind) -> PicturePoint {
-    PicturePoint { name, kind }
-}
+static HEADING: Heading = picture_heading(&COLUMNS, &PICTURE);
 
 fn cyclogram(names: [&str; 2]) -> Cyclogram {
     let members = names.map(|name| {

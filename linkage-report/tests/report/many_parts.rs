@@ -1,41 +1,22 @@
 //! Machines of more parts than there are listed colours.
 
-use crate::fixture::{PHI, Sweep, pictured, polar};
+use crate::fixture::pictures::{EMPTY, link, part, point};
+use crate::fixture::{PHI, Sweep, drawn_columns, picture_heading, polar};
 use crate::picture::classed;
 use linkage_analysis::cyclogram::{Band, Cyclogram, Member};
 use linkage_analysis::summary::Curve;
 use linkage_report::Report;
 use linkage_runtime::{
-    Column, Heading, Picture, PictureColumns, PictureLink, PicturePart, PicturePoint, PointKind,
+    Column, Heading, Picture, PictureLink, PicturePart, PicturePoint, PointKind,
 };
 use roxmltree::Document;
 use std::collections::BTreeSet;
 use std::f64::consts::TAU;
 
-const COLUMNS: [Column; 20] = [pictured("picture.x", "mm"); 20];
+const COLUMNS: [Column; 20] = drawn_columns(20);
 
 const fn pin(name: &'static str) -> PicturePoint {
-    PicturePoint {
-        name,
-        kind: PointKind::Tip,
-    }
-}
-
-const fn link(name: &'static str, points: &'static [usize]) -> PictureLink {
-    PictureLink { name, points }
-}
-
-const fn part(
-    name: &'static str,
-    points: &'static [usize],
-    links: &'static [usize],
-) -> PicturePart {
-    PicturePart {
-        name,
-        points,
-        links,
-        guides: &[],
-    }
+    point(name, PointKind::Tip)
 }
 
 /// Cranks on one pivot.
@@ -65,46 +46,30 @@ static LINKS: [PictureLink; 9] = [
 ];
 
 static PARTS: [PicturePart; 9] = [
-    part("p0", &[0, 1], &[0]),
-    part("p1", &[0, 2], &[1]),
-    part("p2", &[0, 3], &[2]),
-    part("p3", &[0, 4], &[3]),
-    part("p4", &[0, 5], &[4]),
-    part("p5", &[0, 6], &[5]),
-    part("p6", &[0, 7], &[6]),
-    part("p7", &[0, 8], &[7]),
-    part("p8", &[0, 9], &[8]),
+    part("p0", &[0, 1], &[0], &[]),
+    part("p1", &[0, 2], &[1], &[]),
+    part("p2", &[0, 3], &[2], &[]),
+    part("p3", &[0, 4], &[3], &[]),
+    part("p4", &[0, 5], &[4], &[]),
+    part("p5", &[0, 6], &[5], &[]),
+    part("p6", &[0, 7], &[6], &[]),
+    part("p7", &[0, 8], &[7], &[]),
+    part("p8", &[0, 9], &[8], &[]),
 ];
 
 const fn picture(parts: &'static [PicturePart]) -> Picture {
     Picture {
-        dimension: 2,
         points: &POINTS,
-        directions: &[],
         links: &LINKS,
-        guides: &[],
-        axes: &[],
-        joints: &[],
-        gears: &[],
-        drives: &[],
-        undrawn: &[],
         parts,
+        ..EMPTY
     }
 }
 
-const fn heading(picture: &'static Picture) -> Heading {
-    Heading {
-        function: "pictured",
-        arguments: &["phi"],
-        columns: &COLUMNS,
-        picture: Some(PictureColumns { first: 0, picture }),
-    }
-}
-
-static NINE: Heading = heading(&picture(&PARTS));
+static NINE: Heading = picture_heading(&COLUMNS, &picture(&PARTS));
 /// What the other cranks are belongs to the machine itself, in the sixth colour.
-static FIVE: Heading = heading(&picture(PARTS.split_at(5).0));
-static NONE: Heading = heading(&picture(&[]));
+static FIVE: Heading = picture_heading(&COLUMNS, &picture(PARTS.split_at(5).0));
+static NONE: Heading = picture_heading(&COLUMNS, &picture(&[]));
 
 fn report(heading: &'static Heading) -> Report {
     let phi = PHI.positions(37);

@@ -11,6 +11,12 @@ fn drawn(drawing: &Drawing<'_>) -> String {
     drawing.svg().expect("a drawing")
 }
 
+/// The drawing at 1 rad, at half its size.
+fn half_size(report: &Report) -> Drawing<'_> {
+    let drawing = report.drawing().expect("a picture");
+    drawing.scale(0.5).position(1.0)
+}
+
 fn point(svg: &Document<'_>, name: &str) -> [f64; 2] {
     let points = classed(svg, "point").into_iter();
     let mut named = points.filter(|node| node.attribute("data-point") == Some(name));
@@ -143,11 +149,7 @@ fn an_arrow_shows_the_way_of_the_input() {
 #[test]
 fn vectors_are_as_long_as_is_said() {
     let report = four_bar(FourBar::NOMINAL);
-    let drawing = report
-        .drawing()
-        .expect("a picture")
-        .scale(0.5)
-        .position(1.0);
+    let drawing = half_size(&report);
     let svg = drawn(&drawing.vector("tracer", "v", 0.8));
     let svg = Document::parse(&svg).expect("SVG");
     let [vector] = classed(&svg, "vector")[..] else {
@@ -221,11 +223,7 @@ fn bars_have_dimension_lines_if_wanted() {
 #[test]
 fn ellipses_are_what_tolerances_do() {
     let report = four_bar(FourBar::NOMINAL);
-    let drawing = report
-        .drawing()
-        .expect("a picture")
-        .scale(0.5)
-        .position(1.0);
+    let drawing = half_size(&report);
     let svg = drawn(&drawing.tolerances(200.0));
     let svg = Document::parse(&svg).expect("SVG");
     let [ellipse] = classed(&svg, "tolerance")[..] else {

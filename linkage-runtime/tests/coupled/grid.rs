@@ -54,19 +54,17 @@ fn platform(x: &[f64], state: &mut [f64]) -> Step {
     triad.correct(&[0.0], state)
 }
 
+/// The states of the eye needle's drive, with slopes.
+fn started(correction: &mut dyn Correction, at: &[f64], ranges: &[Range]) -> Grid {
+    Grid::build(correction, at, &EyeNeedle::start(), ranges, Terms::Slopes).unwrap()
+}
+
 #[test]
 fn a_platform_of_three_inputs() {
     let at = EyeNeedle::MACHINE.legs;
     for (part, most) in [(0.02, 0), (0.1, 0), (0.2, 400)] {
         let ranges = at.map(|leg| range(leg * (1.0 - part), leg * (1.0 + part)));
-        let grid = Grid::build(
-            &mut platform,
-            &at,
-            &EyeNeedle::start(),
-            &ranges,
-            Terms::Slopes,
-        )
-        .unwrap();
+        let grid = started(&mut platform, &at, &ranges);
         let [_, wrong, refused] = survey(&grid, &mut platform, &ranges);
         // The legs do not reach each other everywhere in the widest ranges, and cells at the border that do not share all of it with
         // their neighbours are left out: two percent of the positions at most.
@@ -78,14 +76,7 @@ fn a_platform_of_three_inputs() {
 fn cells_out_of_reach_are_empty() {
     let at = EyeNeedle::MACHINE.legs;
     let ranges = at.map(|leg| range(0.6 * leg, 1.4 * leg));
-    let grid = Grid::build(
-        &mut platform,
-        &at,
-        &EyeNeedle::start(),
-        &ranges,
-        Terms::Slopes,
-    )
-    .unwrap();
+    let grid = started(&mut platform, &at, &ranges);
     assert!(grid.reached() < grid.cells() && grid.reached() > grid.cells() / 2);
     let [certified, wrong, _] = survey(&grid, &mut platform, &ranges);
     assert!(wrong == 0 && certified > 15_000);
@@ -100,14 +91,7 @@ fn a_crank_and_a_leg() {
     };
     let at = [0.0, 261.0];
     let ranges = [TURN, range(255.0, 265.0)];
-    let grid = Grid::build(
-        &mut correct,
-        &at,
-        &EyeNeedle::start(),
-        &ranges,
-        Terms::Slopes,
-    )
-    .unwrap();
+    let grid = started(&mut correct, &at, &ranges);
     let counts = survey(&grid, &mut correct, &[range(-20.0, 20.0), ranges[1]]);
     assert_eq!(counts, [20_000, 0, 0]);
     let lookup = grid.lookup::<2, 4, 3>().unwrap();

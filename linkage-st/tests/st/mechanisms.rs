@@ -1,8 +1,7 @@
 //! All mechanisms of the golden files and of the examples that have closed forms alone: structured text against the
 //! same programs on the runtime's numbers.
 
-use linkage_compiler::ir::CompiledMechanism;
-use linkage_corpus::given::{Given, exported, turning};
+use linkage_corpus::given::{Given, arguments, exported, turning};
 use linkage_corpus::reference::Assembled;
 use linkage_corpus::sample;
 use linkage_random::Random;
@@ -73,28 +72,6 @@ impl Read {
         let kind = Kind::Named(format!("{block}_result"));
         variables["result"].reals(&self.file, &kind)
     }
-}
-
-fn arguments(
-    unit: &CompiledMechanism,
-    function: usize,
-    position: usize,
-    random: &mut Random,
-) -> Vec<f64> {
-    let own = unit.functions[function].arguments.iter();
-    let mut one = |&index: &usize| match unit.inputs.get(index) {
-        Some(input) if position == 0 => input.reference,
-        Some(input) => {
-            let around = if input.angle { 7.0 } else { 0.3 * unit.longest };
-            let (low, high) = input
-                .range
-                .unwrap_or((input.reference - around, input.reference + around));
-            let beyond = if position % 3 == 2 { 2.0 } else { 0.1 } * (high - low);
-            random.between(low - beyond, high + beyond)
-        }
-        None => random.load(10.0),
-    };
-    own.map(&mut one).collect()
 }
 
 /// Compares all results to the last bit; any NaN is one. Returns how many there are, and how many of them are finite.

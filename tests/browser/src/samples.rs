@@ -3,6 +3,8 @@
 mod four_bar;
 mod machine;
 mod many;
+#[path = "../../../linkage-report/tests/report/fixture/pictures.rs"]
+mod pictures;
 mod roundoff;
 mod sheet;
 mod sliders;

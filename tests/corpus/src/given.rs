@@ -6,6 +6,7 @@ use std::sync::OnceLock;
 
 use linkage_compiler::check;
 use linkage_compiler::ir::CompiledMechanism;
+use linkage_random::Random;
 use proc_macro2::{TokenStream, TokenTree};
 
 /// A mechanism with its name.
@@ -33,6 +34,30 @@ impl Given {
     pub fn text(text: &str) -> Self {
         Self::new(text.parse().expect("brackets have partners"))
     }
+}
+
+/// Returns arguments of a function: the reference at the position 0, then places in the range and
+/// around it.
+pub fn arguments(
+    unit: &CompiledMechanism,
+    function: usize,
+    position: usize,
+    random: &mut Random,
+) -> Vec<f64> {
+    let one = |&index: &usize| match unit.inputs.get(index) {
+        Some(input) if position == 0 => input.reference,
+        Some(input) => {
+            let around = if input.angle { 7.0 } else { 0.3 * unit.longest };
+            let (low, high) = input
+                .range
+                .unwrap_or((input.reference - around, input.reference + around));
+            // Every third position may be far out of reach.
+            let beyond = if position % 3 == 2 { 2.0 } else { 0.1 } * (high - low);
+            random.between(low - beyond, high + beyond)
+        }
+        None => random.load(10.0),
+    };
+    unit.functions[function].arguments.iter().map(one).collect()
 }
 
 /// Golden mechanisms and those of the folder `mechanisms`.

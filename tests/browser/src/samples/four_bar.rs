@@ -2,12 +2,13 @@
 
 use linkage_report::{Report, SummaryRow};
 use linkage_runtime::{
-    AssemblyMode, Column, Dimensions, FunctionInfo, Group, Heading, Input, Meaning, Operations,
-    Parameter, Picture, PictureColumns, PictureLink, PicturePoint, PointKind, Structure,
+    AssemblyMode, Column, Dimensions, FunctionInfo, Group, Heading, Meaning, Operations, Parameter,
+    Picture, Structure,
 };
 use std::f64::consts::{FRAC_PI_6, TAU};
 
-use super::sheet::{Sheet, column, shown, slope};
+use super::pictures::{FOUR_BAR, drawn};
+use super::sheet::{PHI, Sheet, column, shown, slope};
 
 /// Its lengths; pivots at the origin and on the x-axis.
 #[derive(Clone, Copy, Debug)]
@@ -111,13 +112,6 @@ impl Dimensions<5> for FourBar {
     }
 }
 
-const INPUT: Input = Input {
-    name: "phi",
-    unit: "rad",
-    reference: 0.0,
-    range: None,
-};
-
 const fn rate(name: &'static str, unit: &'static str, order: u32, of: usize) -> Column {
     column(
         name,
@@ -164,42 +158,7 @@ const MOTION: Heading = Heading {
     picture: None,
 };
 
-const fn point(name: &'static str, kind: PointKind) -> PicturePoint {
-    PicturePoint { name, kind }
-}
-
-static PICTURE: Picture = Picture {
-    dimension: 2,
-    points: &[
-        point("pivot_a", PointKind::Ground),
-        point("pivot_d", PointKind::Ground),
-        point("a", PointKind::Joint),
-        point("b", PointKind::Joint),
-        point("tracer", PointKind::Tip),
-    ],
-    directions: &[],
-    links: &[
-        PictureLink {
-            name: "crank",
-            points: &[0, 2],
-        },
-        PictureLink {
-            name: "coupler",
-            points: &[2, 3, 4],
-        },
-        PictureLink {
-            name: "rocker",
-            points: &[1, 3],
-        },
-    ],
-    guides: &[],
-    axes: &[],
-    joints: &[],
-    gears: &[],
-    drives: &[],
-    undrawn: &[],
-    parts: &[],
-};
+static PICTURE: Picture = FOUR_BAR;
 
 static VIEW: Heading = Heading {
     function: "view",
@@ -216,10 +175,7 @@ static VIEW: Heading = Heading {
         shown("picture[tracer].x", "mm"),
         shown("picture[tracer].y", "mm"),
     ],
-    picture: Some(PictureColumns {
-        first: 0,
-        picture: &PICTURE,
-    }),
+    picture: drawn(&PICTURE),
 };
 
 const OPERATIONS: Operations = Operations {
@@ -254,7 +210,7 @@ const STRUCTURE: Structure = Structure {
 /// The report about a four-bar, at whole degrees.
 #[must_use]
 pub fn four_bar(title: &str, mechanism: FourBar) -> Report {
-    let positions: Vec<f64> = INPUT.positions(361);
+    let positions: Vec<f64> = PHI.positions(361);
     let motion = Sheet::new(&MOTION, &positions, |phi| row(&mechanism, phi));
     let view = Sheet::new(&VIEW, &positions, |phi| {
         let [a, b, tracer] = mechanism.points(phi);
@@ -271,7 +227,7 @@ pub fn four_bar(title: &str, mechanism: FourBar) -> Report {
             tracer[1],
         ]
     });
-    Report::new(title, &INPUT, &positions)
+    Report::new(title, &PHI, &positions)
         .about("A crank, a rocker, and a coupler with a tracer: computed by hand.")
         .note("Sensitivities are differences.")
         .structure(&STRUCTURE)

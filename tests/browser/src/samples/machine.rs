@@ -3,43 +3,14 @@
 use linkage_analysis::cyclogram::{Band, Cyclogram, Member};
 use linkage_analysis::summary::Curve;
 use linkage_report::Report;
-use linkage_runtime::{
-    Drive, DriveOn, Guide, GuideOn, GuideShape, Heading, Input, Meaning, Picture, PictureColumns,
-    PictureLink, PicturePart, PicturePoint, PointKind,
-};
+use linkage_runtime::{GuideOn, GuideShape, Heading, Meaning, Picture, PointKind};
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_3, TAU};
 
 use super::four_bar::FourBar;
-use super::sheet::{Sheet, column, shown};
-
-const INPUT: Input = Input {
-    name: "shaft",
-    unit: "rad",
-    reference: 0.0,
-    range: Some((0.0, TAU)),
-};
-
-const fn point(name: &'static str, kind: PointKind) -> PicturePoint {
-    PicturePoint { name, kind }
-}
-
-const fn link(name: &'static str, points: &'static [usize]) -> PictureLink {
-    PictureLink { name, points }
-}
-
-const fn guide(name: &'static str, direction: usize, slider: usize) -> Guide {
-    Guide {
-        name,
-        origin: 0,
-        direction,
-        slider,
-        on: GuideOn::Frame,
-        shape: GuideShape::Slot,
-    }
-}
+use super::pictures::{EMPTY, drawn, guide, link, part, point, turn};
+use super::sheet::{SHAFT, Sheet, column, flat, shown};
 
 static PICTURE: Picture = Picture {
-    dimension: 2,
     points: &[
         point("hook.pivot", PointKind::Ground),
         point("hook.pin", PointKind::Joint),
@@ -62,41 +33,17 @@ static PICTURE: Picture = Picture {
         link("eye.coupler", &[6, 7, 9]),
         link("eye.rocker", &[8, 7]),
     ],
-    guides: &[guide("hook.lift", 0, 2), guide("press.way", 1, 4)],
-    axes: &[],
-    joints: &[],
-    gears: &[],
-    drives: &[
-        Drive {
-            input: 0,
-            on: DriveOn::Turn([0, 1]),
-        },
-        Drive {
-            input: 0,
-            on: DriveOn::Turn([5, 6]),
-        },
+    guides: &[
+        guide("hook.lift", [0, 0, 2], GuideOn::Frame, GuideShape::Slot),
+        guide("press.way", [0, 1, 4], GuideOn::Frame, GuideShape::Slot),
     ],
-    undrawn: &[],
+    drives: &[turn([0, 1]), turn([5, 6])],
     parts: &[
-        PicturePart {
-            name: "hook",
-            points: &[0, 1, 2],
-            links: &[0, 1],
-            guides: &[0],
-        },
-        PicturePart {
-            name: "eye",
-            points: &[5, 6, 7, 8, 9],
-            links: &[4, 5, 6],
-            guides: &[],
-        },
-        PicturePart {
-            name: "press",
-            points: &[0, 3, 4],
-            links: &[2, 3],
-            guides: &[1],
-        },
+        part("hook", &[0, 1, 2], &[0, 1], &[0]),
+        part("eye", &[5, 6, 7, 8, 9], &[4, 5, 6], &[]),
+        part("press", &[0, 3, 4], &[2, 3], &[1]),
     ],
+    ..EMPTY
 };
 
 static VIEW: Heading = Heading {
@@ -130,10 +77,7 @@ static VIEW: Heading = Heading {
         column("lift", "mm", Meaning::Value),
         column("plate", "mm", Meaning::Value),
     ],
-    picture: Some(PictureColumns {
-        first: 0,
-        picture: &PICTURE,
-    }),
+    picture: drawn(&PICTURE),
 };
 
 /// Of the part whose name it begins with.
@@ -172,7 +116,7 @@ pub fn lift(shaft: f64) -> [f64; 3] {
 /// If there is no cyclogram.
 #[must_use]
 pub fn machine() -> Report {
-    let positions = INPUT.positions(121);
+    let positions = SHAFT.positions(121);
     let hook = Curve::new((0.0, TAU), 120, lift).expect("a cycle");
     let press = Curve::new((0.0, TAU), 120, |shaft| lift(shaft - BEHIND + FRAC_PI_2));
     let press = press.expect("a cycle");
@@ -180,7 +124,7 @@ pub fn machine() -> Report {
     let hook = Member::new("hook.needle", &hook, &bands).expect("two dwells");
     let press = Member::new("press", &press, &bands).expect("two dwells");
     let cyclogram = Cyclogram::new([press.unit("mm"), hook.unit("mm")]).expect("one shaft");
-    Report::new("Machine", &INPUT, &positions)
+    Report::new("Machine", &SHAFT, &positions)
         .about("Hook needle, eye needle and press on one shaft.")
         .table(&Sheet::new(&VIEW, &positions, row))
         .table(&Sheet::new(&LOAD, &positions, |x: f64| [10.0 * x.sin()]))
@@ -213,9 +157,5 @@ fn row(shaft: f64) -> [f64; 26] {
         [1.0, 0.0],
         [needle, plate],
     ];
-    let mut all = [0.0; 26];
-    for (place, value) in all.iter_mut().zip(places.into_iter().flatten()) {
-        *place = value;
-    }
-    all
+    flat(&places, 0.0)
 }

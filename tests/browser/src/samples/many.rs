@@ -1,16 +1,9 @@
 //! A cam at as many positions as a test wants.
 
 use linkage_report::Report;
-use linkage_runtime::{Heading, Input, Meaning};
+use linkage_runtime::{Heading, Meaning};
 
-use super::sheet::{Sheet, column};
-
-const INPUT: Input = Input {
-    name: "phi",
-    unit: "rad",
-    reference: 0.0,
-    range: None,
-};
+use super::sheet::{PHI, Sheet, column};
 
 static CAM: Heading = Heading {
     function: "cam",
@@ -25,18 +18,18 @@ static CAM: Heading = Heading {
 /// Lift `8 sin phi` and force `5 cos phi` over a turn.
 #[must_use]
 pub fn many(count: usize) -> Report {
-    cam(&INPUT.positions(count))
+    cam(&PHI.positions(count))
 }
 
 /// The same, from a whole turn down to zero.
 #[must_use]
 pub fn falling(count: usize) -> Report {
-    let mut positions = INPUT.positions(count);
+    let mut positions = PHI.positions(count);
     positions.reverse();
     cam(&positions)
 }
 
 fn cam(positions: &[f64]) -> Report {
     let row = |phi: f64| [8.0 * phi.sin(), 5.0 * phi.cos()];
-    Report::new("Cam", &INPUT, positions).table(&Sheet::new(&CAM, positions, row))
+    Report::new("Cam", &PHI, positions).table(&Sheet::new(&CAM, positions, row))
 }

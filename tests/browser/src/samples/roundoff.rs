@@ -1,16 +1,9 @@
 //! Quantities that are constant but for the last bit, and zeros of both signs.
 
 use linkage_report::Report;
-use linkage_runtime::{Heading, Input, Meaning};
+use linkage_runtime::{Heading, Meaning};
 
-use super::sheet::{Sheet, column};
-
-const INPUT: Input = Input {
-    name: "phi",
-    unit: "rad",
-    reference: 0.0,
-    range: None,
-};
+use super::sheet::{PHI, Sheet, column};
 
 // Each has a unit, and so an axis, of its own.
 static GUIDED: Heading = Heading {
@@ -27,8 +20,8 @@ static GUIDED: Heading = Heading {
 /// The report about what a straight guide gives.
 #[must_use]
 pub fn roundoff() -> Report {
-    let positions = INPUT.positions(37);
-    Report::new("Roundoff", &INPUT, &positions).table(&Sheet::new(&GUIDED, &positions, row))
+    let positions = PHI.positions(37);
+    Report::new("Roundoff", &PHI, &positions).table(&Sheet::new(&GUIDED, &positions, row))
 }
 
 /// The one number and the next, in turn, every ten degrees.

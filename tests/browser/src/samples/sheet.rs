@@ -1,6 +1,23 @@
 //! Tables of numbers with headings.
 
-use linkage_runtime::{Column, Heading, Meaning, Table};
+use linkage_runtime::{Column, Heading, Input, Meaning, Table};
+use std::f64::consts::TAU;
+
+/// The angle of a crank, without a range.
+pub(super) const PHI: Input = Input {
+    name: "phi",
+    unit: "rad",
+    reference: 0.0,
+    range: None,
+};
+
+/// The angle of a shaft over a turn.
+pub(super) const SHAFT: Input = Input {
+    name: "shaft",
+    unit: "rad",
+    reference: 0.0,
+    range: Some((0.0, TAU)),
+};
 
 /// A table filled position by position.
 pub struct Sheet {
@@ -49,6 +66,15 @@ pub(super) const fn column(name: &'static str, unit: &'static str, meaning: Mean
 
 pub(super) const fn shown(name: &'static str, unit: &'static str) -> Column {
     column(name, unit, Meaning::Picture)
+}
+
+/// The numbers of a row: those of all vectors, one after the other, then `last` in the columns that remain.
+pub(super) fn flat<const N: usize, const D: usize>(vectors: &[[f64; D]], last: f64) -> [f64; N] {
+    let mut row = [last; N];
+    for (number, value) in row.iter_mut().zip(vectors.iter().flatten()) {
+        *number = *value;
+    }
+    row
 }
 
 /// A derivative by central differences: what is tested is how it is shown.

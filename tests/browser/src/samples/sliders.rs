@@ -1,26 +1,12 @@
 //! Slides on all kinds of guides: a slider-crank, an oscillating cylinder, a block on a link.
 
 use linkage_report::Report;
-use linkage_runtime::{
-    Drive, DriveOn, Guide, GuideOn, GuideShape, Heading, Input, Meaning, Picture, PictureColumns,
-    PictureLink, PicturePoint, PointKind,
-};
+use linkage_runtime::{Drive, DriveOn, GuideOn, GuideShape, Heading, Meaning, Picture, PointKind};
 
-use super::sheet::{Sheet, column, shown};
-
-const INPUT: Input = Input {
-    name: "phi",
-    unit: "rad",
-    reference: 0.0,
-    range: None,
-};
-
-const fn point(name: &'static str, kind: PointKind) -> PicturePoint {
-    PicturePoint { name, kind }
-}
+use super::pictures::{EMPTY, drawn, guide, link, point, turn};
+use super::sheet::{PHI, Sheet, column, flat, shown};
 
 static PICTURE: Picture = Picture {
-    dimension: 2,
     points: &[
         point("main", PointKind::Ground),
         point("big", PointKind::Joint),
@@ -32,60 +18,23 @@ static PICTURE: Picture = Picture {
     ],
     directions: &["stroke", "cylinder", "rod"],
     links: &[
-        PictureLink {
-            name: "crank",
-            points: &[0, 1],
-        },
-        PictureLink {
-            name: "conrod",
-            points: &[1, 2],
-        },
-        PictureLink {
-            name: "follower",
-            points: &[4, 5],
-        },
+        link("crank", &[0, 1]),
+        link("conrod", &[1, 2]),
+        link("follower", &[4, 5]),
     ],
     guides: &[
-        Guide {
-            name: "x",
-            origin: 6,
-            direction: 0,
-            slider: 2,
-            on: GuideOn::Frame,
-            shape: GuideShape::Slot,
-        },
-        Guide {
-            name: "s",
-            origin: 3,
-            direction: 1,
-            slider: 1,
-            on: GuideOn::Itself,
-            shape: GuideShape::Slot,
-        },
-        Guide {
-            name: "t",
-            origin: 1,
-            direction: 2,
-            slider: 4,
-            on: GuideOn::Link(1),
-            shape: GuideShape::Slot,
-        },
+        guide("x", [6, 0, 2], GuideOn::Frame, GuideShape::Slot),
+        guide("s", [3, 1, 1], GuideOn::Itself, GuideShape::Slot),
+        guide("t", [1, 2, 4], GuideOn::Link(1), GuideShape::Slot),
     ],
-    axes: &[],
-    joints: &[],
-    gears: &[],
     drives: &[
-        Drive {
-            input: 0,
-            on: DriveOn::Turn([0, 1]),
-        },
+        turn([0, 1]),
         Drive {
             input: 0,
             on: DriveOn::Slide(0),
         },
     ],
-    undrawn: &[],
-    parts: &[],
+    ..EMPTY
 };
 
 static VIEW: Heading = Heading {
@@ -114,10 +63,7 @@ static VIEW: Heading = Heading {
         shown("picture[rod].y", ""),
         column("x", "m", Meaning::Value),
     ],
-    picture: Some(PictureColumns {
-        first: 0,
-        picture: &PICTURE,
-    }),
+    picture: drawn(&PICTURE),
 };
 
 const CRANK: f64 = 0.035;
@@ -132,8 +78,8 @@ const FAR: [f64; 2] = [-3.0, 0.0];
 /// The report about them, in metres, every three degrees.
 #[must_use]
 pub fn sliders() -> Report {
-    let positions = INPUT.positions(121);
-    Report::new("Slides", &INPUT, &positions)
+    let positions = PHI.positions(121);
+    Report::new("Slides", &PHI, &positions)
         .about("A guide on the frame, one on a link, one that is a link itself.")
         .table(&Sheet::new(&VIEW, &positions, row))
         .trace("block")
@@ -158,11 +104,7 @@ fn row(phi: f64) -> [f64; 21] {
         cylinder,
         rod,
     ];
-    let mut all = [x; 21];
-    for (place, value) in all.iter_mut().zip(joined.into_iter().flatten()) {
-        *place = value;
-    }
-    all
+    flat(&joined, x)
 }
 
 fn unit(from: [f64; 2], to: [f64; 2]) -> [f64; 2] {

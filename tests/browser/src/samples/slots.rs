@@ -1,83 +1,24 @@
 //! Curved slots: one in a lever, one in the frame, and a ring in the frame.
 
 use linkage_report::Report;
-use linkage_runtime::{
-    Guide, GuideOn, GuideShape, Heading, Input, Meaning, Picture, PictureColumns, PictureLink,
-    PicturePart, PicturePoint, PointKind,
-};
+use linkage_runtime::{GuideOn, GuideShape, Heading, Meaning, Picture};
 
-use super::sheet::{Sheet, column, shown};
-
-const INPUT: Input = Input {
-    name: "phi",
-    unit: "rad",
-    reference: 0.0,
-    range: None,
-};
-
-const fn point(name: &'static str, kind: PointKind) -> PicturePoint {
-    PicturePoint { name, kind }
-}
-
-const fn arc(name: &'static str, [origin, direction, slider]: [usize; 3], on: GuideOn) -> Guide {
-    Guide {
-        name,
-        origin,
-        direction,
-        slider,
-        on,
-        shape: GuideShape::Arc,
-    }
-}
+use super::pictures::{CURVED_SLOTS, drawn, guide, part};
+use super::sheet::{PHI, Sheet, column, flat, shown};
 
 static PICTURE: Picture = Picture {
-    dimension: 2,
-    points: &[
-        point("trunnion", PointKind::Ground),
-        point("end", PointKind::Tip),
-        point("middle", PointKind::Construction),
-        point("pin", PointKind::Joint),
-        point("centre", PointKind::Construction),
-        point("die", PointKind::Joint),
-        point("hub", PointKind::Construction),
-        point("runner", PointKind::Joint),
-    ],
     directions: &["lever", "frame"],
-    links: &[
-        PictureLink {
-            name: "lever",
-            points: &[0, 1, 2],
-        },
-        PictureLink {
-            name: "rod",
-            points: &[3, 5],
-        },
-    ],
     guides: &[
-        arc("slot", [2, 0, 3], GuideOn::Link(0)),
-        arc("way", [4, 1, 5], GuideOn::Frame),
-        arc("ring", [6, 1, 7], GuideOn::Frame),
+        guide("slot", [2, 0, 3], GuideOn::Link(0), GuideShape::Arc),
+        guide("way", [4, 1, 5], GuideOn::Frame, GuideShape::Arc),
+        guide("ring", [6, 1, 7], GuideOn::Frame, GuideShape::Arc),
     ],
-    axes: &[],
-    joints: &[],
-    gears: &[],
-    drives: &[],
-    undrawn: &[],
     // Pages of machines are seen from links, too.
     parts: &[
-        PicturePart {
-            name: "link",
-            points: &[0, 1, 2, 3, 4, 5],
-            links: &[0, 1],
-            guides: &[0, 1],
-        },
-        PicturePart {
-            name: "wheel",
-            points: &[6, 7],
-            links: &[],
-            guides: &[2],
-        },
+        part("link", &[0, 1, 2, 3, 4, 5], &[0, 1], &[0, 1]),
+        part("wheel", &[6, 7], &[], &[2]),
     ],
+    ..CURVED_SLOTS
 };
 
 static VIEW: Heading = Heading {
@@ -106,10 +47,7 @@ static VIEW: Heading = Heading {
         shown("picture[frame].y", ""),
         column("turn", "rad", Meaning::Value),
     ],
-    picture: Some(PictureColumns {
-        first: 0,
-        picture: &PICTURE,
-    }),
+    picture: drawn(&PICTURE),
 };
 
 const CENTRE: [f64; 2] = [60.0, 190.0];
@@ -118,8 +56,8 @@ const HUB: [f64; 2] = [-90.0, 40.0];
 /// The report about them, in millimetres, every three degrees.
 #[must_use]
 pub fn slots() -> Report {
-    let positions = INPUT.positions(121);
-    Report::new("Slots", &INPUT, &positions)
+    let positions = PHI.positions(121);
+    Report::new("Slots", &PHI, &positions)
         .about("A slot in a lever, one in the frame, and a ring.")
         .table(&Sheet::new(&VIEW, &positions, row))
 }
@@ -139,11 +77,7 @@ fn row(phi: f64) -> [f64; 21] {
         reached([0.0, 0.0], 1.0, lever),
         [1.0, 0.0],
     ];
-    let mut all = [lever; 21];
-    for (number, value) in all.iter_mut().zip(joined.into_iter().flatten()) {
-        *number = value;
-    }
-    all
+    flat(&joined, lever)
 }
 
 fn reached([x, y]: [f64; 2], length: f64, angle: f64) -> [f64; 2] {

@@ -1,30 +1,12 @@
 //! An RSSR: a crank about z, a rocker about x, between them a link with two ball joints.
 
 use linkage_report::Report;
-use linkage_runtime::{
-    Axis, Drive, DriveOn, Heading, Input, JointShape, Meaning, Picture, PictureColumns,
-    PictureJoint, PictureLink, PicturePart, PicturePoint, PointKind,
-};
+use linkage_runtime::{Heading, Meaning, Picture, PointKind};
 
-use super::sheet::{Sheet, column, shown};
+use super::pictures::{RSSR, axis, drawn, link, part, point};
+use super::sheet::{PHI, Sheet, column, flat, shown};
 
-const INPUT: Input = Input {
-    name: "phi",
-    unit: "rad",
-    reference: 0.0,
-    range: None,
-};
-
-const fn point(name: &'static str, kind: PointKind) -> PicturePoint {
-    PicturePoint { name, kind }
-}
-
-const fn joint(point: usize, shape: JointShape) -> PictureJoint {
-    PictureJoint { point, shape }
-}
-
-const PICTURE: Picture = Picture {
-    dimension: 3,
+static PICTURE: Picture = Picture {
     points: &[
         point("shaft", PointKind::Ground),
         point("pivot", PointKind::Ground),
@@ -34,55 +16,21 @@ const PICTURE: Picture = Picture {
     ],
     directions: &["crank_axis", "rocker_axis"],
     links: &[
-        PictureLink {
-            name: "crank",
-            points: &[0, 2],
-        },
-        PictureLink {
-            name: "link",
-            points: &[2, 3],
-        },
-        PictureLink {
-            name: "rocker",
-            points: &[1, 3, 4],
-        },
+        link("crank", &[0, 2]),
+        link("link", &[2, 3]),
+        link("rocker", &[1, 3, 4]),
     ],
-    guides: &[],
-    joints: &[
-        joint(0, JointShape::Pin),
-        joint(1, JointShape::Pin),
-        joint(2, JointShape::Ball),
-        joint(3, JointShape::Universal),
-    ],
-    gears: &[],
-    drives: &[Drive {
-        input: 0,
-        on: DriveOn::Turn([0, 2]),
-    }],
-    undrawn: &[],
-    parts: &[],
     axes: &[
-        Axis {
-            point: 0,
-            direction: 0,
-        },
-        Axis {
-            point: 1,
-            direction: 1,
-        },
+        axis(0, 0),
+        axis(1, 1),
         // Those of the joint at q, as if they did not move.
-        Axis {
-            point: 3,
-            direction: 0,
-        },
-        Axis {
-            point: 3,
-            direction: 1,
-        },
+        axis(3, 0),
+        axis(3, 1),
     ],
+    ..RSSR
 };
 
-const VIEW: Heading = Heading {
+static VIEW: Heading = Heading {
     function: "view",
     arguments: &["phi"],
     columns: &[
@@ -109,34 +57,20 @@ const VIEW: Heading = Heading {
         shown("picture[rocker_axis].z", ""),
         column("psi", "rad", Meaning::Value),
     ],
-    picture: Some(PictureColumns {
-        first: 0,
-        picture: &PICTURE,
-    }),
+    picture: drawn(&PICTURE),
 };
 
 /// The same as a machine of two parts.
-static OF_PARTS: Heading = Heading {
-    picture: Some(PictureColumns {
-        first: 0,
-        picture: &Picture {
-            parts: &[
-                PicturePart {
-                    name: "drive",
-                    points: &[0, 2],
-                    links: &[0],
-                    guides: &[],
-                },
-                PicturePart {
-                    name: "output",
-                    points: &[1, 2, 3, 4],
-                    links: &[1, 2],
-                    guides: &[],
-                },
-            ],
-            ..PICTURE
-        },
-    }),
+static OF_PARTS: Picture = Picture {
+    parts: &[
+        part("drive", &[0, 2], &[0], &[]),
+        part("output", &[1, 2, 3, 4], &[1, 2], &[]),
+    ],
+    ..PICTURE
+};
+
+static VIEW_OF_PARTS: Heading = Heading {
+    picture: drawn(&OF_PARTS),
     ..VIEW
 };
 
@@ -154,12 +88,12 @@ pub fn spatial() -> Report {
 /// The same as a machine of two parts.
 #[must_use]
 pub fn spatial_machine() -> Report {
-    report(&OF_PARTS)
+    report(&VIEW_OF_PARTS)
 }
 
 fn report(heading: &'static Heading) -> Report {
-    let positions = INPUT.positions(181);
-    Report::new("Crank and rocker in space", &INPUT, &positions)
+    let positions = PHI.positions(181);
+    Report::new("Crank and rocker in space", &PHI, &positions)
         .about("RSSR, the axes at right angles.")
         .table(&Sheet::new(heading, &positions, row))
         .trace("tip")
@@ -180,11 +114,7 @@ fn row(phi: f64) -> [f64; 22] {
     let q = out(0.0, 0.0, ROCKER);
     let tip = out(25.0, 20.0, ROCKER + 15.0);
     let joined = [[0.0; 3], PIVOT, p, q, tip, [0.0, 0.0, 1.0], [1.0, 0.0, 0.0]];
-    let mut all = [psi; 22];
-    for (place, value) in all.iter_mut().zip(joined.into_iter().flatten()) {
-        *place = value;
-    }
-    all
+    flat(&joined, psi)
 }
 
 /// The rocker's angle: `|pivot + turned - p| = LINK` is `A cos psi + B sin psi = C`.

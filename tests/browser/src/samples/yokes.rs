@@ -3,17 +3,10 @@
 use linkage_analysis::cyclogram::{Band, Cyclogram, Member};
 use linkage_analysis::summary::Curve;
 use linkage_report::Report;
-use linkage_runtime::{Column, Heading, Input, Meaning, Parameter, Programs};
+use linkage_runtime::{Column, Heading, Meaning, Parameter, Programs};
 use std::f64::consts::TAU;
 
-use super::sheet::{Sheet, column};
-
-const INPUT: Input = Input {
-    name: "shaft",
-    unit: "rad",
-    reference: 0.0,
-    range: Some((0.0, TAU)),
-};
+use super::sheet::{SHAFT, Sheet, column};
 
 const PARAMETERS: [Parameter; 4] = [
     dimension("crank", "mm", 40.0),
@@ -102,7 +95,7 @@ fn lift([crank, rod]: [f64; 2], angle: f64) -> [f64; 2] {
 /// nothing has the quantity of the organ `sinker`.
 #[must_use]
 pub fn yokes(twin: bool) -> Report {
-    let positions = INPUT.positions(121);
+    let positions = SHAFT.positions(121);
     let values = PARAMETERS.map(|own| own.nominal);
     let [crank, rod, lead, _] = values;
     let sheet = |heading, lead: f64, sign: f64| {
@@ -110,7 +103,7 @@ pub fn yokes(twin: bool) -> Report {
             lift([crank, rod], x + lead).map(|y| sign * y)
         })
     };
-    let report = Report::new("Yokes", &INPUT, &positions)
+    let report = Report::new("Yokes", &SHAFT, &positions)
         .dimensions_listed(&PARAMETERS, &values)
         .programs(PROGRAMS)
         .table(&sheet(&HOOK, 0.0, 1.0))
