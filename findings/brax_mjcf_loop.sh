@@ -14,8 +14,11 @@
 # Seen:
 #   MuJoCo: crank 1.166, rocker 0.321 rad, gap 0.0001 m
 #   brax: crank 1.306, rocker 0.000 rad, gap 0.4835 m
-source "$(dirname "${BASH_SOURCE[0]}")/packages.sh"
-python_packages brax==0.14.2 jax==0.10.2 jaxlib==0.10.2 mujoco==4.0.0 mujoco-mjx==3.17.0 \
+set -euo pipefail
+folder=$(mktemp -d)
+trap 'rm -rf "$folder"' EXIT
+"${PYTHON:-python3.11}" -m venv "$folder/env"
+"$folder/env/bin/pip" install --quiet brax==0.14.2 jax==0.10.2 jaxlib==0.10.2 mujoco==4.0.0 mujoco-mjx==3.17.0 \
     numpy==2.4.6
 cat >"$folder/check.py" <<'CHECK'
 import math

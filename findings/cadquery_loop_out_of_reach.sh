@@ -15,8 +15,11 @@
 #   in mm at 2.0 rad: crank 2.0000, largest gap 0.0000 mm, Solve_Succeeded
 #   in mm at 3.0 rad: crank 2.9980, largest gap 2.4051 mm, Solved_To_Acceptable_Level
 #   in m at 3.0 rad: crank 2.9995, largest gap 2.4070 mm, Solve_Succeeded
-source "$(dirname "${BASH_SOURCE[0]}")/packages.sh"
-python_packages cadquery==2.8.0 cadquery-ocp==7.9.3.1.1 casadi==3.8.2 numpy==2.4.6
+set -euo pipefail
+folder=$(mktemp -d)
+trap 'rm -rf "$folder"' EXIT
+"${PYTHON:-python3.11}" -m venv "$folder/env"
+"$folder/env/bin/pip" install --quiet cadquery==2.8.0 cadquery-ocp==7.9.3.1.1 casadi==3.8.2 numpy==2.4.6
 cat >"$folder/check.py" <<'CHECK'
 import math
 

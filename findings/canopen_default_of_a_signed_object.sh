@@ -16,8 +16,11 @@
 #   lower limit of position: default 2147483648, smallest value -2147483648; local node: ValueError
 #   exponent of interpolation time: default 253, smallest value -3; local node: ValueError
 #   homing method: default -1, smallest value -128; local node: -1
-source "$(dirname "${BASH_SOURCE[0]}")/packages.sh"
-python_packages canopen==2.4.1
+set -euo pipefail
+folder=$(mktemp -d)
+trap 'rm -rf "$folder"' EXIT
+"${PYTHON:-python3.11}" -m venv "$folder/env"
+"$folder/env/bin/pip" install --quiet --no-compile canopen==2.4.1
 cat >"$folder/check.py" <<'CHECK'
 import logging
 import sys

@@ -6,11 +6,23 @@
 # for the program, so Cargo builds it for the macro without debug information, and then all that depends on it: here `proc-macro2`,
 # `quote`, `syn`, `unicode-ident` and `serde_derive`. With `profile.dev.debug = 0`, or other features of the shared crate in the macro, nothing is compiled.
 # Source: https://doc.rust-lang.org/cargo/reference/profiles.html#build-dependencies
-source "$(dirname "${BASH_SOURCE[0]}")/packages.sh"
-crate shared \
-    'proc-macro2 = "=1.0.101"' \
-    'quote = "=1.0.40"' \
-    'serde_derive = "=1.0.219"'
+set -euo pipefail
+
+folder=$(mktemp -d)
+trap 'rm -rf "$folder"' EXIT
+cd "$folder"
+mkdir src
+cat >Cargo.toml <<'END'
+[package]
+name = "shared"
+version = "0.0.0"
+edition = "2024"
+
+[dependencies]
+proc-macro2 = "=1.0.101"
+quote = "=1.0.40"
+serde_derive = "=1.0.219"
+END
 echo 'fn main() { println!("{}", quote::quote!(a + b)); }' >src/main.rs
 export CARGO_TARGET_DIR=$folder/target
 

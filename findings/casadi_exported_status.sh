@@ -15,8 +15,11 @@
 #   Python: RuntimeError
 #   C: x^2 = 1: (0, 1.0)
 #   C: x^2 = -1: (0, -2.8172756111295394)
-source "$(dirname "${BASH_SOURCE[0]}")/packages.sh"
-python_packages casadi==3.8.2
+set -euo pipefail
+folder=$(mktemp -d)
+trap 'rm -rf "$folder"' EXIT
+"${PYTHON:-python3.11}" -m venv "$folder/env"
+"$folder/env/bin/pip" install --quiet casadi==3.8.2
 cat >"$folder/check.py" <<'CHECK'
 import ctypes
 import os

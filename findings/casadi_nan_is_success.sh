@@ -17,8 +17,11 @@
 #   newton: x^2 = -1.0 from 0: nan, True, success
 #   newton: four-bar from a row: [-inf -inf], True
 #   fast_newton: the same, with the status converged_abstol_step
-source "$(dirname "${BASH_SOURCE[0]}")/packages.sh"
-python_packages casadi==3.8.2
+set -euo pipefail
+folder=$(mktemp -d)
+trap 'rm -rf "$folder"' EXIT
+"${PYTHON:-python3.11}" -m venv "$folder/env"
+"$folder/env/bin/pip" install --quiet casadi==3.8.2
 cat >"$folder/check.py" <<'CHECK'
 import casadi
 import numpy as np

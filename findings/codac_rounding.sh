@@ -18,8 +18,11 @@
 #   after: float(repr(x)) == x: False
 #   main thread: 1/3 is within its interval: True
 #   older thread: 1/3 is within its interval: False
-source "$(dirname "${BASH_SOURCE[0]}")/packages.sh"
-python_packages codac==2.1.2
+set -euo pipefail
+folder=$(mktemp -d)
+trap 'rm -rf "$folder"' EXIT
+"${PYTHON:-python3.11}" -m venv "$folder/env"
+"$folder/env/bin/pip" install --quiet codac==2.1.2
 cat >"$folder/check.py" <<'CHECK'
 import json
 import queue

@@ -5,8 +5,22 @@
 # Seen: at the tolerance 1e-12 `interpolate` is ten thousand times less accurate than the steps; `ivp` 0.6.0, by the same author and with the
 # same method, is not.
 # Source: https://docs.rs/differential-equations/0.7.0/differential_equations/ and https://docs.rs/ivp/0.6.0/ivp/
-source "$(dirname "${BASH_SOURCE[0]}")/packages.sh"
-crate oscillator 'differential-equations = "=0.7.0"' 'ivp = "=0.6.0"'
+set -euo pipefail
+
+folder=$(mktemp -d)
+trap 'rm -rf "$folder"' EXIT
+cd "$folder"
+mkdir src
+cat >Cargo.toml <<'END'
+[package]
+name = "oscillator"
+version = "0.0.0"
+edition = "2024"
+
+[dependencies]
+differential-equations = "=0.7.0"
+ivp = "=0.6.0"
+END
 cat >src/main.rs <<'END'
 use differential_equations::ode::OrdinaryNumericalMethod;
 use differential_equations::prelude::{ExplicitRungeKutta, Interpolation, ODE};

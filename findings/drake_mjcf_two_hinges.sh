@@ -17,8 +17,11 @@
 #   hinge, hinge: mujoco (1.000, 0.000, 0.000), pinocchio the same, drake (0.765, 0.644, 0.000)
 #   hinge, slide: mujoco (0.807, 0.229, 0.000), pinocchio the same, drake (0.572, 0.874, 0.000)
 #   slide, hinge: mujoco (1.000, 0.700, 0.000), pinocchio the same, drake (1.000, 0.700, 0.000)
-source "$(dirname "${BASH_SOURCE[0]}")/packages.sh"
-python_packages drake==1.51.1 pin==4.1.0 mujoco==4.0.0 numpy==2.4.6
+set -euo pipefail
+folder=$(mktemp -d)
+trap 'rm -rf "$folder"' EXIT
+"${PYTHON:-python3.11}" -m venv "$folder/env"
+"$folder/env/bin/pip" install --quiet drake==1.51.1 pin==4.1.0 mujoco==4.0.0 numpy==2.4.6
 cat >"$folder/mujoco_and_pinocchio.py" <<'CHECK'
 import json
 import sys

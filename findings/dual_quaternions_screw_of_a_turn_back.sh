@@ -18,8 +18,11 @@
 #   turn by -1 rad: axis through (2.00, 1.00), of its screw off by 0.000, two halves off by 0.000
 #   turn by -2 rad: axis through (-0.08, 2.23), of its screw off by 1.819, two halves off by 1.819
 #   turn by 4 rad: axis through (0.55, 2.17), of its screw off by 1.514, two halves off by 1.514
-source "$(dirname "${BASH_SOURCE[0]}")/packages.sh"
-python_packages dual_quaternions==0.4.0 pyquaternion==0.9.9 numpy==2.4.6
+set -euo pipefail
+folder=$(mktemp -d)
+trap 'rm -rf "$folder"' EXIT
+"${PYTHON:-python3.11}" -m venv "$folder/env"
+"$folder/env/bin/pip" install --quiet --no-compile dual_quaternions==0.4.0 pyquaternion==0.9.9 numpy==2.4.6
 cat >"$folder/check.py" <<'CHECK'
 import numpy as np
 from dual_quaternions import DualQuaternion

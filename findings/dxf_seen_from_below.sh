@@ -21,9 +21,13 @@
 #   ELLIPSE: ezdxf from 44 0 to 40 -2, dxf from -44 0 to -40 2
 #   LINE: ezdxf from 50 0 to 54 3, dxf from 50 0 to 54 3
 #   dxf-parser has the extrusion of: ARC LWPOLYLINE LINE
-source "$(dirname "${BASH_SOURCE[0]}")/packages.sh"
-python_packages ezdxf==1.4.5
-npm_packages dxf@5.3.1 dxf-parser@1.1.2
+set -euo pipefail
+folder=$(mktemp -d)
+trap 'rm -rf "$folder"' EXIT
+"${PYTHON:-python3.11}" -m venv "$folder/env"
+"$folder/env/bin/pip" install --quiet ezdxf==1.4.5
+cd "$folder"
+npm install --silent --no-audit --no-fund dxf@5.3.1 dxf-parser@1.1.2 >npm.log
 cat >write.py <<'WRITE'
 import json
 import math

@@ -10,8 +10,11 @@
 #
 # Source: the documentation string gives the stiffness "against relative rotation", and the optional `nodeNumber` as a
 # node "for continuous rotation reconstruction", mentioned with the measurement of rotations.
-source "$(dirname "${BASH_SOURCE[0]}")/packages.sh"
-python_packages exudyn==1.13.6 numpy==2.4.6
+set -euo pipefail
+folder=$(mktemp -d)
+trap 'rm -rf "$folder"' EXIT
+"${PYTHON:-python3.11}" -m venv "$folder/env"
+"$folder/env/bin/pip" install --quiet exudyn==1.13.6 numpy==2.4.6
 cat >"$folder/check.py" <<'CHECK'
 import math
 import warnings

@@ -16,8 +16,11 @@
 #   FCL in m: 146 of 3600 angles wrong by more than 0.1 mm, at 3.05 degrees 14.26 mm in place of 10.13 mm
 #   FCL in mm: 5 of 3600 angles wrong by more than 0.1 mm, at 1.35 degrees 14.22 mm in place of 10.11 mm
 #   coal in m: 0 of 3600 angles wrong by more than 0.1 mm, at 152.90 degrees 10.44 mm in place of 10.44 mm
-source "$(dirname "${BASH_SOURCE[0]}")/packages.sh"
-python_packages python-fcl==0.7.0.11 coal==3.0.3 numpy==2.4.6
+set -euo pipefail
+folder=$(mktemp -d)
+trap 'rm -rf "$folder"' EXIT
+"${PYTHON:-python3.11}" -m venv "$folder/env"
+"$folder/env/bin/pip" install --quiet python-fcl==0.7.0.11 coal==3.0.3 numpy==2.4.6
 cat >"$folder/check.py" <<'CHECK'
 import math
 

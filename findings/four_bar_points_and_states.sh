@@ -5,8 +5,21 @@
 # Seen: positions whose root is not a number are left out, without a notice. At the end of a range the rounding decides, so a rocker that
 # stops at dead points loses points. A parallelogram has a formula of its own that does not read the state: both states have equal curves.
 # Source: https://docs.rs/four-bar/7.0.5, `curve_interval` in `src/mech/fb.rs`, `CurveGen::pos_iter` in `src/mech.rs`
-source "$(dirname "${BASH_SOURCE[0]}")/packages.sh"
-crate states 'four-bar = "=7.0.5"'
+set -euo pipefail
+
+folder=$(mktemp -d)
+trap 'rm -rf "$folder"' EXIT
+cd "$folder"
+mkdir src
+cat >Cargo.toml <<'END'
+[package]
+name = "states"
+version = "0.0.0"
+edition = "2024"
+
+[dependencies]
+four-bar = "=7.0.5"
+END
 cat >src/main.rs <<'END'
 use four_bar::mech::{Stat, fb::UnNorm};
 use four_bar::{FourBar, NormFourBar};

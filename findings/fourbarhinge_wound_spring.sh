@@ -15,8 +15,11 @@
 #   wound by 170 degrees: torque 2.967 Nm, energy 4.402 J
 #   wound by 190 degrees: torque -2.967 Nm, energy 4.402 J
 #   wound by 360 degrees: torque 0.000 Nm, energy 0.000 J
-source "$(dirname "${BASH_SOURCE[0]}")/packages.sh"
-python_packages fourbarhinge==0.1.2 modern-robotics==1.1.1 numpy==2.4.6 scipy==1.17.1
+set -euo pipefail
+folder=$(mktemp -d)
+trap 'rm -rf "$folder"' EXIT
+"${PYTHON:-python3.11}" -m venv "$folder/env"
+"$folder/env/bin/pip" install --quiet fourbarhinge==0.1.2 modern-robotics==1.1.1 numpy==2.4.6 scipy==1.17.1
 cat >"$folder/check.py" <<'CHECK'
 import math
 

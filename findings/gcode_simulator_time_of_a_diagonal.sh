@@ -17,8 +17,11 @@
 #   100 mm along X: 1.12 s, along Y: 10.01 s, along both: 1.50 s
 #   with equal axes: 1.12 s, 1.12 s, 1.13 s
 #   there and back: 20.02 s, with a half circle between: 20.02 s, with the second G1 left out: 10.01 s
-source "$(dirname "${BASH_SOURCE[0]}")/packages.sh"
-python_packages gcode-simulator==0.2.1 numpy==2.4.6
+set -euo pipefail
+folder=$(mktemp -d)
+trap 'rm -rf "$folder"' EXIT
+"${PYTHON:-python3.11}" -m venv "$folder/env"
+"$folder/env/bin/pip" install --quiet --no-compile gcode-simulator==0.2.1 numpy==2.4.6
 cat >"$folder/check.py" <<'CHECK'
 from gcode_simulator import GCodeSimulator, GrblSettings
 

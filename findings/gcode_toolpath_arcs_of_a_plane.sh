@@ -18,8 +18,11 @@
 #   G18: line to 10 0 0, arc from 0 10 0 to 10 0 0 about 0 0 0
 #   G19: line to 0 10 0, arc from 10 0 0 to 0 10 0 about 0 0 0
 #   G17 G90.1: line to 20 0 0, arc from 20 0 0 to 0 0 0 about 30 0 0
-source "$(dirname "${BASH_SOURCE[0]}")/packages.sh"
-npm_packages gcode-toolpath@3.0.0
+set -euo pipefail
+folder=$(mktemp -d)
+trap 'rm -rf "$folder"' EXIT
+cd "$folder"
+npm install --silent --no-audit --no-fund gcode-toolpath@3.0.0 >npm.log
 cat >check.cjs <<'CHECK'
 const assert = require("node:assert");
 const Toolpath = require("gcode-toolpath");

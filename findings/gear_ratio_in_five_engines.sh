@@ -17,9 +17,13 @@
 #   pymunk: first -9.98, second -4.99
 #   p2-es: first -10.00, second -19.99
 #   cannon-es: first -10.00
-source "$(dirname "${BASH_SOURCE[0]}")/packages.sh"
-python_packages Box2D==2.3.10 pymunk==7.3.1
-npm_packages planck@1.4.2 p2-es@1.2.3 cannon-es@0.20.0
+set -euo pipefail
+folder=$(mktemp -d)
+trap 'rm -rf "$folder"' EXIT
+"${PYTHON:-python3.11}" -m venv "$folder/env"
+"$folder/env/bin/pip" install --quiet Box2D==2.3.10 pymunk==7.3.1
+cd "$folder"
+npm install --silent --no-audit --no-fund planck@1.4.2 p2-es@1.2.3 cannon-es@0.20.0 >npm.log
 cat >check.py <<'CHECK'
 import Box2D
 import pymunk

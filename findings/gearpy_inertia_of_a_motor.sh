@@ -14,8 +14,11 @@
 #   ratio 1: the shaft of the motor begins with 1.00 of torque over inertia
 #   ratio 5: the shaft of the motor begins with 5.00 of torque over inertia
 #   ratio 25: the shaft of the motor begins with 25.00 of torque over inertia
-source "$(dirname "${BASH_SOURCE[0]}")/packages.sh"
-python_packages gearpy==1.3.1 numpy==2.4.6 scipy==1.17.1
+set -euo pipefail
+folder=$(mktemp -d)
+trap 'rm -rf "$folder"' EXIT
+"${PYTHON:-python3.11}" -m venv "$folder/env"
+"$folder/env/bin/pip" install --quiet gearpy==1.3.1 numpy==2.4.6 scipy==1.17.1
 cat >"$folder/check.py" <<'CHECK'
 from gearpy.mechanical_objects import DCMotor, SpurGear
 from gearpy.powertrain import Powertrain

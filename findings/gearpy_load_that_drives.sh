@@ -14,8 +14,11 @@
 # Seen:
 #   load of 0.1 Nm that resists: torque of the motor 0.0250 Nm, 950.0 rad/s, power of the load over the motor 0.80
 #   load of 1 Nm that drives: torque of the motor -0.2500 Nm, 1500.0 rad/s, power of the load over the motor 0.80
-source "$(dirname "${BASH_SOURCE[0]}")/packages.sh"
-python_packages gearpy==1.3.1 numpy==2.4.6 scipy==1.17.1
+set -euo pipefail
+folder=$(mktemp -d)
+trap 'rm -rf "$folder"' EXIT
+"${PYTHON:-python3.11}" -m venv "$folder/env"
+"$folder/env/bin/pip" install --quiet gearpy==1.3.1 numpy==2.4.6 scipy==1.17.1
 cat >"$folder/check.py" <<'CHECK'
 from gearpy.mechanical_objects import DCMotor, SpurGear
 from gearpy.powertrain import Powertrain

@@ -18,8 +18,11 @@
 #   to the root: 0.0000000 rad, uncertainty 0.000083
 #   a small one in mm: 1.4754957 rad, uncertainty 0.000113
 #   a small one in m: 0.0000002 rad, uncertainty 0.000080
-source "$(dirname "${BASH_SOURCE[0]}")/packages.sh"
-python_packages GTC==1.5.1 numpy==2.4.6
+set -euo pipefail
+folder=$(mktemp -d)
+trap 'rm -rf "$folder"' EXIT
+"${PYTHON:-python3.11}" -m venv "$folder/env"
+"$folder/env/bin/pip" install --quiet GTC==1.5.1 numpy==2.4.6
 cat >"$folder/check.py" <<'CHECK'
 import math
 

@@ -6,8 +6,21 @@
 # `MatrixStorage::Identity` the result is right.
 # Source: https://docs.rs/ivp/0.6.0/ivp/methods/struct.RADAU.html (`mass_storage`) and
 # https://docs.rs/ivp/0.6.0/ivp/prelude/trait.FirstOrderSystem.html (`mass`)
-source "$(dirname "${BASH_SOURCE[0]}")/packages.sh"
-crate oscillator 'ivp = "=0.6.0"'
+set -euo pipefail
+
+folder=$(mktemp -d)
+trap 'rm -rf "$folder"' EXIT
+cd "$folder"
+mkdir src
+cat >Cargo.toml <<'END'
+[package]
+name = "oscillator"
+version = "0.0.0"
+edition = "2024"
+
+[dependencies]
+ivp = "=0.6.0"
+END
 cat >src/main.rs <<'END'
 use ivp::dense::StepInterpolant;
 use ivp::matrix::MatrixStorage;

@@ -19,8 +19,11 @@
 #   slider-crank in mm: -0.087906 -521.874213, exact -0.240386 -521.874213
 #   parallelogram at 1e-05 rad: -0.400000 0.200000, exact 0 1
 #   direct solver: slider-crank in mm -0.240386 -521.874213; parallelogram 0.000000 1.000000
-source "$(dirname "${BASH_SOURCE[0]}")/packages.sh"
-python_packages jaxopt==0.8.5 jax==0.10.2 jaxlib==0.10.2 scipy==1.17.1 numpy==2.4.6
+set -euo pipefail
+folder=$(mktemp -d)
+trap 'rm -rf "$folder"' EXIT
+"${PYTHON:-python3.11}" -m venv "$folder/env"
+"$folder/env/bin/pip" install --quiet jaxopt==0.8.5 jax==0.10.2 jaxlib==0.10.2 scipy==1.17.1 numpy==2.4.6
 cat >"$folder/check.py" <<'CHECK'
 import math
 

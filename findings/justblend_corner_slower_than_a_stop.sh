@@ -16,8 +16,11 @@
 #   blends of 5 mm: with jerk 1.178, without 0.977
 #   blends of 20 mm: with jerk 1.088, without 0.906
 #   blends of 40 mm: with jerk 0.861, without 0.799
-source "$(dirname "${BASH_SOURCE[0]}")/packages.sh"
-python_packages justblend==0.1.0 numpy==2.4.6
+set -euo pipefail
+folder=$(mktemp -d)
+trap 'rm -rf "$folder"' EXIT
+"${PYTHON:-python3.11}" -m venv "$folder/env"
+"$folder/env/bin/pip" install --quiet --no-compile justblend==0.1.0 numpy==2.4.6
 cat >"$folder/check.py" <<'CHECK'
 import justblend
 import numpy as np

@@ -18,8 +18,11 @@
 #   in cm: 500 sextics, 0 wrong, the first one in mm -39 -31 -19 -9 15 22
 #   in dm: 500 sextics, 246 wrong, the first one in mm -39 -31.11 -18.83 -8.88 14.97 21.97
 #   in m: 500 sextics, 500 wrong, the first one in mm -60 -31.19 -31.19 -19.05 -1.71 14.16
-source "$(dirname "${BASH_SOURCE[0]}")/packages.sh"
-npm_packages kld-polynomial@0.3.0
+set -euo pipefail
+folder=$(mktemp -d)
+trap 'rm -rf "$folder"' EXIT
+cd "$folder"
+npm install --silent --no-audit --no-fund kld-polynomial@0.3.0 >npm.log
 cat >check.cjs <<'CHECK'
 const assert = require("node:assert");
 const { Polynomial } = require("kld-polynomial");

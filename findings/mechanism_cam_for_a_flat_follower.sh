@@ -16,8 +16,11 @@
 #   flat follower: lift 9.66 mm in place of 4.79 mm at 43.3 degrees
 #   radius of curvature: asked 10.0 mm, analysis 10.0 mm, profile hollow with 290.8 mm
 #   roller: largest error of the lift 1.52 mm
-source "$(dirname "${BASH_SOURCE[0]}")/packages.sh"
-python_packages mechanism==1.1.10 numpy==2.4.6 scipy==1.17.1 matplotlib==3.11.2
+set -euo pipefail
+folder=$(mktemp -d)
+trap 'rm -rf "$folder"' EXIT
+"${PYTHON:-python3.11}" -m venv "$folder/env"
+"$folder/env/bin/pip" install --quiet mechanism==1.1.10 numpy==2.4.6 scipy==1.17.1 matplotlib==3.11.2
 cat >"$folder/check.py" <<'CHECK'
 import sys
 

@@ -18,8 +18,11 @@
 #   x^3 - 25 x: -25 0 25
 #   roots -4.1, 0.3, 1.5, 3.5: -Infinity -Infinity -4.1 0.3 0.55441 1.5 3.5 4.44559 NaN NaN
 #   10000 quartics: 983 with more than four roots
-source "$(dirname "${BASH_SOURCE[0]}")/packages.sh"
-npm_packages minimatrix-polyroots@3.0.5
+set -euo pipefail
+folder=$(mktemp -d)
+trap 'rm -rf "$folder"' EXIT
+cd "$folder"
+npm install --silent --no-audit --no-fund minimatrix-polyroots@3.0.5 >npm.log
 cat >check.cjs <<'CHECK'
 const assert = require("node:assert");
 const polyroots = require("minimatrix-polyroots");

@@ -11,8 +11,11 @@
 # default `solref` of 0.02 s, whatever the time step, and a `solimp` that starts at 0.9.
 #
 # Seen: 2 ms: 0.1307 mm; 0.5 ms: 0.0475 mm; 0.05 ms: 0.0544 mm
-source "$(dirname "${BASH_SOURCE[0]}")/packages.sh"
-python_packages mujoco==4.0.0 numpy==2.4.6
+set -euo pipefail
+folder=$(mktemp -d)
+trap 'rm -rf "$folder"' EXIT
+"${PYTHON:-python3.11}" -m venv "$folder/env"
+"$folder/env/bin/pip" install --quiet mujoco==4.0.0 numpy==2.4.6
 cat >"$folder/check.py" <<'CHECK'
 import math
 

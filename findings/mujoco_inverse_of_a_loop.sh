@@ -15,8 +15,11 @@
 # Seen:
 #   default: inverse at 0: [31.8825 19.62 2.4525]; held with at most 6.5e-01 rad/s2, inverse there: [14.715 0. 0.]
 #   0.9999: inverse at 0: [31.8825 19.62 2.4525]; held with at most 6.0e-04 rad/s2, inverse there: [14.715 0. 0.]
-source "$(dirname "${BASH_SOURCE[0]}")/packages.sh"
-python_packages mujoco==4.0.0 numpy==2.4.6
+set -euo pipefail
+folder=$(mktemp -d)
+trap 'rm -rf "$folder"' EXIT
+"${PYTHON:-python3.11}" -m venv "$folder/env"
+"$folder/env/bin/pip" install --quiet mujoco==4.0.0 numpy==2.4.6
 cat >"$folder/check.py" <<'CHECK'
 import mujoco
 import numpy as np

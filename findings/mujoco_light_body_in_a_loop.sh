@@ -13,8 +13,11 @@
 # `inertial/mass` that there is no reason to use massless bodies.
 #
 # Seen: block of 20 g: 0.034 mm; 2 g: 0.203 mm; 0.02 g: 3.05 mm (crank 20 mm, lever 200 g)
-source "$(dirname "${BASH_SOURCE[0]}")/packages.sh"
-python_packages mujoco==4.0.0 numpy==2.4.6
+set -euo pipefail
+folder=$(mktemp -d)
+trap 'rm -rf "$folder"' EXIT
+"${PYTHON:-python3.11}" -m venv "$folder/env"
+"$folder/env/bin/pip" install --quiet mujoco==4.0.0 numpy==2.4.6
 cat >"$folder/check.py" <<'CHECK'
 import math
 

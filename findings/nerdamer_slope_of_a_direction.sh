@@ -17,8 +17,11 @@
 #   atan2(sin(x),cos(x)): slope 0.681179, of the values 1.000000
 #   atan2(3*sin(x),2+3*cos(x)): slope 0.483872, of the values 0.609151
 #   atan(3*sin(x)/(2+3*cos(x))): slope 0.609151, of the values 0.609151
-source "$(dirname "${BASH_SOURCE[0]}")/packages.sh"
-npm_packages nerdamer@1.1.13
+set -euo pipefail
+folder=$(mktemp -d)
+trap 'rm -rf "$folder"' EXIT
+cd "$folder"
+npm install --silent --no-audit --no-fund nerdamer@1.1.13 >npm.log
 cat >check.cjs <<'CHECK'
 const assert = require("node:assert");
 const nerdamer = require("nerdamer/all");

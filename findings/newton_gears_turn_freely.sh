@@ -15,8 +15,11 @@
 # Seen:
 #   MuJoCo: pinion 0.562, wheel -0.280 rad
 #   Newton, 1 mimic constraint, 0 warnings: pinion 1.200, wheel -0.200 rad
-source "$(dirname "${BASH_SOURCE[0]}")/packages.sh"
-python_packages newton==1.8.0 warp-lang==1.19.0 mujoco==4.0.0 numpy==2.4.6
+set -euo pipefail
+folder=$(mktemp -d)
+trap 'rm -rf "$folder"' EXIT
+"${PYTHON:-python3.11}" -m venv "$folder/env"
+"$folder/env/bin/pip" install --quiet newton==1.8.0 warp-lang==1.19.0 mujoco==4.0.0 numpy==2.4.6
 export WARP_CACHE_PATH="$folder/cache"
 cat >"$folder/check.py" <<'CHECK'
 import warnings

@@ -13,8 +13,11 @@
 # Seen:
 #   MuJoCo: 0 -9.81 0 and 0 0 -1.62, without: 0
 #   Newton: 0 0 -9.81 and 0 0 -9.81, without: 0
-source "$(dirname "${BASH_SOURCE[0]}")/packages.sh"
-python_packages newton==1.8.0 warp-lang==1.19.0 mujoco==4.0.0 numpy==2.4.6
+set -euo pipefail
+folder=$(mktemp -d)
+trap 'rm -rf "$folder"' EXIT
+"${PYTHON:-python3.11}" -m venv "$folder/env"
+"$folder/env/bin/pip" install --quiet newton==1.8.0 warp-lang==1.19.0 mujoco==4.0.0 numpy==2.4.6
 export WARP_CACHE_PATH="$folder/cache"
 cat >"$folder/check.py" <<'CHECK'
 import mujoco

@@ -5,8 +5,21 @@
 # of the steps (1e-9 here).
 # Seen: `integrate` returns Ok, and the last row is off by more than 1e6 rad. With `dx = end / 200` the last row is right.
 # Source: https://docs.rs/ode_solvers/0.6.2/ode_solvers/dop853/struct.Dop853.html
-source "$(dirname "${BASH_SOURCE[0]}")/packages.sh"
-crate pendulum 'ode_solvers = "=0.6.2"'
+set -euo pipefail
+
+folder=$(mktemp -d)
+trap 'rm -rf "$folder"' EXIT
+cd "$folder"
+mkdir src
+cat >Cargo.toml <<'END'
+[package]
+name = "pendulum"
+version = "0.0.0"
+edition = "2024"
+
+[dependencies]
+ode_solvers = "=0.6.2"
+END
 cat >src/main.rs <<'END'
 use ode_solvers::{Dop853, System, Vector2};
 

@@ -14,8 +14,11 @@
 #   four-bar (50, 120, 100, 140), 1.0 turns: 38 frames, last time 1.000, gap 7e-14
 #   four-bar (50, 120, 60, 140), 1.0 turns: 15 frames, last time 0.378, gap 2e-10
 #   four-bar (50, 120, 60, 140), -1.0 turns: 15 frames, last time 0.378, gap 2e-10
-source "$(dirname "${BASH_SOURCE[0]}")/packages.sh"
-python_packages pyondsel==0.0.3
+set -euo pipefail
+folder=$(mktemp -d)
+trap 'rm -rf "$folder"' EXIT
+"${PYTHON:-python3.11}" -m venv "$folder/env"
+"$folder/env/bin/pip" install --quiet pyondsel==0.0.3
 cat >"$folder/check.py" <<'CHECK'
 import math
 

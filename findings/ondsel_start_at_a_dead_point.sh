@@ -18,8 +18,11 @@
 #   slider-crank from 0.5 rad: 10 frames, gap 0.0000
 #   parallelogram from the row: 38 frames, gap 1.9974
 #   parallelogram from 0.5 rad: 38 frames, gap 0.0000
-source "$(dirname "${BASH_SOURCE[0]}")/packages.sh"
-python_packages pyondsel==0.0.3
+set -euo pipefail
+folder=$(mktemp -d)
+trap 'rm -rf "$folder"' EXIT
+"${PYTHON:-python3.11}" -m venv "$folder/env"
+"$folder/env/bin/pip" install --quiet pyondsel==0.0.3
 cat >"$folder/check.py" <<'CHECK'
 import math
 

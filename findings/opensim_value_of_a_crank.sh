@@ -18,8 +18,11 @@
 #   point: set 1.01, found 1.0000 rad; set 2.0, found 1.0000 rad; set 3.0, found 1.0000 rad
 #   line: set 2.0 twenty times, found 2.0000 rad
 #   locked at 1.5: True, after assembly 1.1905 rad
-source "$(dirname "${BASH_SOURCE[0]}")/packages.sh"
-python_packages opensim==4.6 numpy==2.4.6
+set -euo pipefail
+folder=$(mktemp -d)
+trap 'rm -rf "$folder"' EXIT
+"${PYTHON:-python3.11}" -m venv "$folder/env"
+"$folder/env/bin/pip" install --quiet opensim==4.6 numpy==2.4.6
 cat >"$folder/check.py" <<'CHECK'
 import math
 

@@ -16,8 +16,11 @@
 #   joint: MuJoCo 1 constraint, Pinocchio 0
 #   tendon: MuJoCo 1 constraint, Pinocchio 0
 #   printed: ''
-source "$(dirname "${BASH_SOURCE[0]}")/packages.sh"
-python_packages pin==4.1.0 mujoco==4.0.0 numpy==2.4.6
+set -euo pipefail
+folder=$(mktemp -d)
+trap 'rm -rf "$folder"' EXIT
+"${PYTHON:-python3.11}" -m venv "$folder/env"
+"$folder/env/bin/pip" install --quiet pin==4.1.0 mujoco==4.0.0 numpy==2.4.6
 cat >"$folder/check.py" <<'CHECK'
 import sys
 

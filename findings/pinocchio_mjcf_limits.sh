@@ -17,8 +17,11 @@
 #   hinge: [-0.1745, 1.0472], [-0.1745, 1.0472]
 #   hinge with ref: [-0.1745, 1.0472], [-0.6981, 0.5236]
 #   slide with ref, radian: [-1, 2], [-1.3, 1.7]
-source "$(dirname "${BASH_SOURCE[0]}")/packages.sh"
-python_packages pin==4.1.0 mujoco==4.0.0 numpy==2.4.6
+set -euo pipefail
+folder=$(mktemp -d)
+trap 'rm -rf "$folder"' EXIT
+"${PYTHON:-python3.11}" -m venv "$folder/env"
+"$folder/env/bin/pip" install --quiet pin==4.1.0 mujoco==4.0.0 numpy==2.4.6
 cat >"$folder/check.py" <<'CHECK'
 import math
 import sys

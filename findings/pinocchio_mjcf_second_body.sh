@@ -12,8 +12,11 @@
 # The documentation string of `buildModelFromMJCF` says that the file is parsed and a model returned.
 #
 # Seen: MuJoCo: 3 joints; Pinocchio: crank, coupler; in one fixed body: crank, coupler, rocker and 1 constraint
-source "$(dirname "${BASH_SOURCE[0]}")/packages.sh"
-python_packages pin==4.1.0 mujoco==4.0.0 numpy==2.4.6
+set -euo pipefail
+folder=$(mktemp -d)
+trap 'rm -rf "$folder"' EXIT
+"${PYTHON:-python3.11}" -m venv "$folder/env"
+"$folder/env/bin/pip" install --quiet pin==4.1.0 mujoco==4.0.0 numpy==2.4.6
 cat >"$folder/check.py" <<'CHECK'
 import sys
 

@@ -11,8 +11,11 @@
 # `ProximalSettings` have mu = 0 and one iteration.
 #
 # Seen: mu = 0, 1 iteration: [nan nan nan]; mu = 1e-8, 1 iteration: finite
-source "$(dirname "${BASH_SOURCE[0]}")/packages.sh"
-python_packages pin==4.1.0 numpy==2.4.6
+set -euo pipefail
+folder=$(mktemp -d)
+trap 'rm -rf "$folder"' EXIT
+"${PYTHON:-python3.11}" -m venv "$folder/env"
+"$folder/env/bin/pip" install --quiet pin==4.1.0 numpy==2.4.6
 cat >"$folder/check.py" <<'CHECK'
 import math
 

@@ -13,8 +13,11 @@
 #
 # Source: the documentation string of the function names the derivatives with respect to q, v and tau, for constraints
 # of the model in general. `RigidConstraintModel` is documented as a constraint between two joints.
-source "$(dirname "${BASH_SOURCE[0]}")/packages.sh"
-python_packages pin==4.1.0 numpy==2.4.6
+set -euo pipefail
+folder=$(mktemp -d)
+trap 'rm -rf "$folder"' EXIT
+"${PYTHON:-python3.11}" -m venv "$folder/env"
+"$folder/env/bin/pip" install --quiet pin==4.1.0 numpy==2.4.6
 cat >"$folder/check.py" <<'CHECK'
 import math
 

@@ -18,8 +18,11 @@
 #   slider 1 degree away, stroke 2.9: status 0, gap 0.0000, conflicting none
 #   flat parallelogram, 10 degrees: status 0, gap 0.0000, conflicting a b c
 #   parallelogram at 1 degree, 10 degrees: status 0, gap 0.0000, conflicting none
-source "$(dirname "${BASH_SOURCE[0]}")/packages.sh"
-npm_packages @salusoft89/planegcs@1.3.0
+set -euo pipefail
+folder=$(mktemp -d)
+trap 'rm -rf "$folder"' EXIT
+cd "$folder"
+npm install --silent --no-audit --no-fund @salusoft89/planegcs@1.3.0 >npm.log
 cat >check.mjs <<'CHECK'
 import assert from "node:assert";
 import { GcsWrapper, SolveStatus, init_planegcs_module } from "@salusoft89/planegcs";

@@ -13,8 +13,11 @@
 # Seen:
 #   steps of 20 degrees: largest 170.0, last for 350 degrees: 10.0
 #   steps of 5 degrees: largest 355.0, last for 355 degrees: 355.0, for 180 degrees: 179.9998
-source "$(dirname "${BASH_SOURCE[0]}")/packages.sh"
-python_packages py-slvs==1.0.6
+set -euo pipefail
+folder=$(mktemp -d)
+trap 'rm -rf "$folder"' EXIT
+"${PYTHON:-python3.11}" -m venv "$folder/env"
+"$folder/env/bin/pip" install --quiet py-slvs==1.0.6
 cat >"$folder/check.py" <<'CHECK'
 import math
 

@@ -12,8 +12,11 @@
 # takes for the angle of the drawing.
 #
 # Seen: saved at -32.4 degrees, first step after loading 3.6 degrees, continued -28.8 degrees; lengths in the file: none
-source "$(dirname "${BASH_SOURCE[0]}")/packages.sh"
-python_packages pylinkage==1.3.0
+set -euo pipefail
+folder=$(mktemp -d)
+trap 'rm -rf "$folder"' EXIT
+"${PYTHON:-python3.11}" -m venv "$folder/env"
+"$folder/env/bin/pip" install --quiet pylinkage==1.3.0
 "$folder/env/bin/python" - <<'CHECK'
 import json
 import math

@@ -16,8 +16,11 @@
 #   Geared: 22 unknowns, 21 equations
 #   Loaded: 28 unknowns, 28 equations
 #   rumoca: speed of the motor after a second 4.5455 rad/s
-source "$(dirname "${BASH_SOURCE[0]}")/packages.sh"
-python_packages pymoca==0.12.0 casadi==3.8.2 rumoca==0.10.2 numpy==2.4.6
+set -euo pipefail
+folder=$(mktemp -d)
+trap 'rm -rf "$folder"' EXIT
+"${PYTHON:-python3.11}" -m venv "$folder/env"
+"$folder/env/bin/pip" install --quiet --no-compile pymoca==0.12.0 casadi==3.8.2 rumoca==0.10.2 numpy==2.4.6
 cat >"$folder/Drives.mo" <<'MODELS'
 connector Flange
   Real phi;

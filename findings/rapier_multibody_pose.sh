@@ -18,8 +18,11 @@
 #   3d, impulse joint: 0.5000 rad; multibody joint: 0.0000 rad
 #   four-bar of impulse joints: gap 0.0000
 #   four-bar of multibody joints, closed by an impulse joint: gap 0.7000 at first, 0.7000 after 5 s
-source "$(dirname "${BASH_SOURCE[0]}")/packages.sh"
-npm_packages @dimforge/rapier2d-compat@0.21.0 @dimforge/rapier3d-compat@0.21.0
+set -euo pipefail
+folder=$(mktemp -d)
+trap 'rm -rf "$folder"' EXIT
+cd "$folder"
+npm install --silent --no-audit --no-fund @dimforge/rapier2d-compat@0.21.0 @dimforge/rapier3d-compat@0.21.0 >npm.log
 cat >check.mjs <<'CHECK'
 import assert from "node:assert";
 import * as plane from "@dimforge/rapier2d-compat";

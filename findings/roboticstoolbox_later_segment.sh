@@ -16,8 +16,11 @@
 #   quintic: from 0.000 to 1.000, speed at the start 0.000, largest 0.937
 #   trapezoidal: from 0.000 to 1.000, speed at the start 0.000, largest 0.750
 #   mtraj: from 0.000 to 1.000, speed at the start 0.000, largest 0.937
-source "$(dirname "${BASH_SOURCE[0]}")/packages.sh"
-python_packages roboticstoolbox-python==1.5.0 spatialmath-python==1.1.18 numpy==2.4.6 \
+set -euo pipefail
+folder=$(mktemp -d)
+trap 'rm -rf "$folder"' EXIT
+"${PYTHON:-python3.11}" -m venv "$folder/env"
+"$folder/env/bin/pip" install --quiet roboticstoolbox-python==1.5.0 spatialmath-python==1.1.18 numpy==2.4.6 \
     scipy==1.17.1
 cat >"$folder/check.py" <<'CHECK'
 import numpy as np

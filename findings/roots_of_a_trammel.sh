@@ -18,8 +18,12 @@
 #   sturm: -1.3736 -0.5364 0.4623, largest gap of the rod 0.0000
 #   eigen: -0.0469 1.2248, largest gap of the rod 1.5045
 #   eigen, constant first: -1.3736 -0.5364 0.4623 1.5602, largest gap of the rod 0.0000
-source "$(dirname "${BASH_SOURCE[0]}")/packages.sh"
-crate check 'roots = "=0.0.8"'
+set -euo pipefail
+folder=$(mktemp -d)
+trap 'rm -rf "$folder"' EXIT
+cd "$folder"
+cargo init --quiet --vcs none --name check
+cargo add --quiet roots@=0.0.8
 cat >src/main.rs <<'CHECK'
 use roots::{find_roots_eigen, find_roots_quartic, find_roots_sturm};
 

@@ -15,8 +15,11 @@
 #   overshoot: 109.17 mm at 0.350 s, listed 86.67 mm at 0.200 s
 #   run-up: -346.67 mm at 0.960 s, listed -293.71 mm at 0.730 s
 #   small speed: -9.91 mm at 0.273 s, listed -9.91 mm at 0.273 s
-source "$(dirname "${BASH_SOURCE[0]}")/packages.sh"
-python_packages ruckig==0.19.4
+set -euo pipefail
+folder=$(mktemp -d)
+trap 'rm -rf "$folder"' EXIT
+"${PYTHON:-python3.11}" -m venv "$folder/env"
+"$folder/env/bin/pip" install --quiet ruckig==0.19.4
 cat >"$folder/check.py" <<'CHECK'
 from ruckig import InputParameter, Result, Ruckig, Trajectory
 

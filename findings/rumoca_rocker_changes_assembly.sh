@@ -19,8 +19,11 @@
 #   rocker 1.02, output each 0.002 s: 54 of 3001 points off, by up to 30.0 turns, first at a crank of 1.68 rad
 #   rocker 1.10, output each 0.01 s: 6 of 601 points off, by up to 0.1 turns, first at a crank of 2.09 rad
 #   rocker 1.20, output each 0.01 s: 0 of 601 points off
-source "$(dirname "${BASH_SOURCE[0]}")/packages.sh"
-python_packages rumoca==0.10.2 numpy==2.4.6
+set -euo pipefail
+folder=$(mktemp -d)
+trap 'rm -rf "$folder"' EXIT
+"${PYTHON:-python3.11}" -m venv "$folder/env"
+"$folder/env/bin/pip" install --quiet --no-compile rumoca==0.10.2 numpy==2.4.6
 cat >"$folder/check.py" <<'CHECK'
 import math
 

@@ -14,8 +14,11 @@
 #   out of reach: hybr False, gap 9.6 mm; lm True, gap 9.6 mm
 #   dead point + 1e-9 rad: hybr False, gap 3.3e-16; krylov True, coupler off by 0.0888 degrees
 #   0.5 rad: hybr True, lm True, krylov True
-source "$(dirname "${BASH_SOURCE[0]}")/packages.sh"
-python_packages scipy==1.17.1 numpy==2.4.6
+set -euo pipefail
+folder=$(mktemp -d)
+trap 'rm -rf "$folder"' EXIT
+"${PYTHON:-python3.11}" -m venv "$folder/env"
+"$folder/env/bin/pip" install --quiet scipy==1.17.1 numpy==2.4.6
 cat >"$folder/check.py" <<'CHECK'
 import math
 

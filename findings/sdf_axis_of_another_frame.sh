@@ -14,8 +14,11 @@
 # Seen, for x by the frame of the joint and of the base, as the axis is in the base:
 #   the joint: rod (0, 1, 0), pybullet (0, 1, 0)
 #   the base: rod (0, 1, 0), pybullet (0, 1, 0)
-source "$(dirname "${BASH_SOURCE[0]}")/packages.sh"
-python_packages pybullet==3.2.7 rod==0.5.0 numpy==2.4.6 scipy==1.17.1
+set -euo pipefail
+folder=$(mktemp -d)
+trap 'rm -rf "$folder"' EXIT
+"${PYTHON:-python3.11}" -m venv "$folder/env"
+"$folder/env/bin/pip" install --quiet --no-compile pybullet==3.2.7 rod==0.5.0 numpy==2.4.6 scipy==1.17.1
 cat >"$folder/check.py" <<'CHECK'
 import sys
 import xml.etree.ElementTree as ET

@@ -14,8 +14,11 @@
 # Seen, at zero, and the last link with the second joint at 1 rad:
 #   by rod: link1 (1.00, 0.00), link2 (2.00, 0.00), link3 (2.88, 0.48), with the joint at 1 rad (2.07, 1.00)
 #   directly: link1 (1.00, 0.00), link2 (1.00, 0.00), link3 (1.00, 0.00), with the joint at 1 rad (1.00, 0.00)
-source "$(dirname "${BASH_SOURCE[0]}")/packages.sh"
-python_packages pybullet==3.2.7 rod==0.5.0 numpy==2.4.6 scipy==1.17.1
+set -euo pipefail
+folder=$(mktemp -d)
+trap 'rm -rf "$folder"' EXIT
+"${PYTHON:-python3.11}" -m venv "$folder/env"
+"$folder/env/bin/pip" install --quiet --no-compile pybullet==3.2.7 rod==0.5.0 numpy==2.4.6 scipy==1.17.1
 cat >"$folder/check.py" <<'CHECK'
 import sys
 

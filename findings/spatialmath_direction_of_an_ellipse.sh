@@ -15,8 +15,11 @@
 # Seen:
 #   radii 3 1, theta 22.9: radii 3 1, theta -67.1, farthest point at 22.9, of the copy at 112.9 degrees
 #   radii 3 1, theta 68.8: radii 1 3, theta -21.2, farthest point at 68.8, of the copy at 68.8 degrees
-source "$(dirname "${BASH_SOURCE[0]}")/packages.sh"
-python_packages spatialmath-python==1.1.18 numpy==2.4.6 scipy==1.17.1
+set -euo pipefail
+folder=$(mktemp -d)
+trap 'rm -rf "$folder"' EXIT
+"${PYTHON:-python3.11}" -m venv "$folder/env"
+"$folder/env/bin/pip" install --quiet --no-compile spatialmath-python==1.1.18 numpy==2.4.6 scipy==1.17.1
 cat >"$folder/check.py" <<'CHECK'
 import numpy as np
 from spatialmath import Ellipse

@@ -18,8 +18,11 @@
 #   vectors of 10 and 1 mm: distance 0.70, closest_to_line 70.00
 #   vectors of 10 and 10 mm: distance 0.07, closest_to_line 70.00
 #   parallel: NameError
-source "$(dirname "${BASH_SOURCE[0]}")/packages.sh"
-python_packages spatialmath-python==1.1.18 numpy==2.4.6 scipy==1.17.1
+set -euo pipefail
+folder=$(mktemp -d)
+trap 'rm -rf "$folder"' EXIT
+"${PYTHON:-python3.11}" -m venv "$folder/env"
+"$folder/env/bin/pip" install --quiet --no-compile spatialmath-python==1.1.18 numpy==2.4.6 scipy==1.17.1
 cat >"$folder/check.py" <<'CHECK'
 from spatialmath import Line3
 

@@ -16,8 +16,11 @@
 #   1.6 rad: log -1.5416, of the twist -1.5416, in space 1.6000, joint off by 4.47
 #   2.0 rad: log -1.1416, of the twist -1.1416, in space 2.0000, joint off by 4.47
 #   3.0 rad: log -0.1416, of the twist -0.1416, in space 3.0000, joint off by 4.47
-source "$(dirname "${BASH_SOURCE[0]}")/packages.sh"
-python_packages spatialmath-python==1.1.18 numpy==2.4.6 scipy==1.17.1
+set -euo pipefail
+folder=$(mktemp -d)
+trap 'rm -rf "$folder"' EXIT
+"${PYTHON:-python3.11}" -m venv "$folder/env"
+"$folder/env/bin/pip" install --quiet --no-compile spatialmath-python==1.1.18 numpy==2.4.6 scipy==1.17.1
 cat >"$folder/check.py" <<'CHECK'
 import math
 

@@ -14,8 +14,11 @@
 # Seen:
 #   z = 0: intersects has the shape (3, 3), closest_to_line (-80.0, 60.0, 0.0) at 0.0
 #   z = 10: intersects is None, closest_to_line (-80.0, 60.0, 10.0) at 0.0
-source "$(dirname "${BASH_SOURCE[0]}")/packages.sh"
-python_packages spatialmath-python==1.1.18 numpy==2.4.6 scipy==1.17.1
+set -euo pipefail
+folder=$(mktemp -d)
+trap 'rm -rf "$folder"' EXIT
+"${PYTHON:-python3.11}" -m venv "$folder/env"
+"$folder/env/bin/pip" install --quiet --no-compile spatialmath-python==1.1.18 numpy==2.4.6 scipy==1.17.1
 cat >"$folder/check.py" <<'CHECK'
 import numpy as np
 from spatialmath import Line3

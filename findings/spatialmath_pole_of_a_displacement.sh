@@ -14,8 +14,11 @@
 #   0.3 rad: pole 0.600 0.300, in space 0.600 0.300, on the line 2.000 1.000, moved by 0.468
 #   1.0 rad: pole 2.000 1.000, in space 2.000 1.000, on the line 2.000 1.000, moved by 0.000
 #   1.5 rad: pole 3.000 1.500, in space 3.000 1.500, on the line 2.000 1.000, moved by 1.524
-source "$(dirname "${BASH_SOURCE[0]}")/packages.sh"
-python_packages spatialmath-python==1.1.18 numpy==2.4.6 scipy==1.17.1
+set -euo pipefail
+folder=$(mktemp -d)
+trap 'rm -rf "$folder"' EXIT
+"${PYTHON:-python3.11}" -m venv "$folder/env"
+"$folder/env/bin/pip" install --quiet --no-compile spatialmath-python==1.1.18 numpy==2.4.6 scipy==1.17.1
 cat >"$folder/check.py" <<'CHECK'
 import numpy as np
 from spatialmath import SE2, SE3, Twist2, Twist3

@@ -4,8 +4,21 @@
 # Expected: `sqrt(x^2)` is `|x|`, and its derivative at -3 is -1.
 # Seen: the simplification takes `sqrt(b^(2k))` for `b^k`, and the generated gradient is 1. The function itself is unchanged and returns 3.
 # Source: https://docs.rs/symdiff/2.1.0, documentation of `SimplifyTransformer` in `src/transformers.rs`
-source "$(dirname "${BASH_SOURCE[0]}")/packages.sh"
-crate root 'symdiff = "=2.1.0"'
+set -euo pipefail
+
+folder=$(mktemp -d)
+trap 'rm -rf "$folder"' EXIT
+cd "$folder"
+mkdir src
+cat >Cargo.toml <<'END'
+[package]
+name = "root"
+version = "0.0.0"
+edition = "2024"
+
+[dependencies]
+symdiff = "=2.1.0"
+END
 cat >src/main.rs <<'END'
 #[symdiff::gradient(var = x, dim = 1)]
 fn distance(x: &[f64]) -> f64 {

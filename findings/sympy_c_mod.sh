@@ -11,8 +11,11 @@
 # and falls back to `fmod` for all other numbers. The page of `Mod` says that the result has the sign of the divisor.
 #
 # Seen: lambdify 5.283185307179586, JavaScript ((x % (2*Math.PI)) + (2*Math.PI)) % (2*Math.PI), C -1.0
-source "$(dirname "${BASH_SOURCE[0]}")/packages.sh"
-python_packages sympy==1.14.0
+set -euo pipefail
+folder=$(mktemp -d)
+trap 'rm -rf "$folder"' EXIT
+"${PYTHON:-python3.11}" -m venv "$folder/env"
+"$folder/env/bin/pip" install --quiet sympy==1.14.0
 cat >"$folder/check.py" <<'CHECK'
 import math
 import subprocess

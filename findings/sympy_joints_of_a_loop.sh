@@ -17,8 +17,11 @@
 #   row of the third joint: [0, 0, 0, 0], forcing 0
 #   the rocker depends on: q_j4(t)
 #   a warning: Loops are defined among the orientation of frames
-source "$(dirname "${BASH_SOURCE[0]}")/packages.sh"
-python_packages sympy==1.14.0
+set -euo pipefail
+folder=$(mktemp -d)
+trap 'rm -rf "$folder"' EXIT
+"${PYTHON:-python3.11}" -m venv "$folder/env"
+"$folder/env/bin/pip" install --quiet sympy==1.14.0
 cat >"$folder/check.py" <<'CHECK'
 import warnings
 

@@ -12,8 +12,11 @@
 # Source: the documentation string of `KanesMethod` names "LU" as the default `constraint_solver`, and its weakness as
 # "zero division errors". A finite wrong number is not one. Pivots are chosen by the expressions, before there are
 # numbers.
-source "$(dirname "${BASH_SOURCE[0]}")/packages.sh"
-python_packages sympy==1.14.0 numpy==2.4.6
+set -euo pipefail
+folder=$(mktemp -d)
+trap 'rm -rf "$folder"' EXIT
+"${PYTHON:-python3.11}" -m venv "$folder/env"
+"$folder/env/bin/pip" install --quiet sympy==1.14.0 numpy==2.4.6
 cat >"$folder/check.py" <<'CHECK'
 import warnings
 

@@ -16,8 +16,11 @@
 #   default, 500 intervals: 1.5000 s, peak 2.265 m/s2
 #   default, 2000 intervals: 1.5000 s, peak 2.267 m/s2
 #   constant acceleration, 100 intervals: 1.5000 s, peak 2.000 m/s2
-source "$(dirname "${BASH_SOURCE[0]}")/packages.sh"
-python_packages toppra==0.6.10 numpy==2.4.6 scipy==1.17.1
+set -euo pipefail
+folder=$(mktemp -d)
+trap 'rm -rf "$folder"' EXIT
+"${PYTHON:-python3.11}" -m venv "$folder/env"
+"$folder/env/bin/pip" install --quiet toppra==0.6.10 numpy==2.4.6 scipy==1.17.1
 cat >"$folder/check.py" <<'CHECK'
 import numpy as np
 import toppra

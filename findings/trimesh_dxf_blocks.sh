@@ -17,8 +17,11 @@
 #   mirrored: trimesh (-4, 4) (-3, 4), ezdxf (2, 4) (3, 4)
 #   base point (1, 0): trimesh (3, 4) (4, 4), ezdxf (2, 4) (3, 4)
 #   half circle: trimesh (3, 0) (7, 2), ezdxf (-7, 0) (-3, 2)
-source "$(dirname "${BASH_SOURCE[0]}")/packages.sh"
-python_packages trimesh==5.2.0 ezdxf==1.4.5 numpy==2.4.6 scipy==1.17.1 \
+set -euo pipefail
+folder=$(mktemp -d)
+trap 'rm -rf "$folder"' EXIT
+"${PYTHON:-python3.11}" -m venv "$folder/env"
+"$folder/env/bin/pip" install --quiet trimesh==5.2.0 ezdxf==1.4.5 numpy==2.4.6 scipy==1.17.1 \
     networkx==3.6.1 shapely==2.2.0
 cat >"$folder/check.py" <<'CHECK'
 import sys

@@ -17,8 +17,11 @@
 #   ikpy       no axis: x, stroke 0.2828, angle none, determinant 1.06
 #   yourdfpy, pybullet no axis: x, stroke 0.2828, angle 0.2
 #   urchin, pinocchio, mujoco no axis: x, stroke 0.2, angle 0.2
-source "$(dirname "${BASH_SOURCE[0]}")/packages.sh"
-python_packages kinpy==0.6.1 ikpy==4.2.1 yourdfpy==0.0.60 urchin==0.0.30 pin==4.1.0 \
+set -euo pipefail
+folder=$(mktemp -d)
+trap 'rm -rf "$folder"' EXIT
+"${PYTHON:-python3.11}" -m venv "$folder/env"
+"$folder/env/bin/pip" install --quiet kinpy==0.6.1 ikpy==4.2.1 yourdfpy==0.0.60 urchin==0.0.30 pin==4.1.0 \
     pybullet==3.2.7 mujoco==4.0.0 numpy==2.4.6
 cat >"$folder/check.py" <<'CHECK'
 import os

@@ -12,8 +12,11 @@
 # `buildModelFromUrdf` in its documentation string has `mimic=False`. pybullet's library does not contain the word.
 #
 # Seen: mujoco: 2 joints, 1 equality; pinocchio: 2 coordinates, with mimic=True 1; pybullet: 2 joints, 0 constraints
-source "$(dirname "${BASH_SOURCE[0]}")/packages.sh"
-python_packages pin==4.1.0 pybullet==3.2.7 mujoco==4.0.0 numpy==2.4.6
+set -euo pipefail
+folder=$(mktemp -d)
+trap 'rm -rf "$folder"' EXIT
+"${PYTHON:-python3.11}" -m venv "$folder/env"
+"$folder/env/bin/pip" install --quiet pin==4.1.0 pybullet==3.2.7 mujoco==4.0.0 numpy==2.4.6
 cat >"$folder/check.py" <<'CHECK'
 import os
 import sys

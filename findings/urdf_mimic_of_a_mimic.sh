@@ -13,8 +13,11 @@
 # leader among the values that were given.
 #
 # Seen: urchin: b 0.4, c 0.0; yourdfpy: b 0.4, c 0.1; pinocchio: ValueError; mujoco: residuals 0 at b 0.4, c 1.3
-source "$(dirname "${BASH_SOURCE[0]}")/packages.sh"
-python_packages urchin==0.0.30 yourdfpy==0.0.60 pin==4.1.0 mujoco==4.0.0 numpy==2.4.6
+set -euo pipefail
+folder=$(mktemp -d)
+trap 'rm -rf "$folder"' EXIT
+"${PYTHON:-python3.11}" -m venv "$folder/env"
+"$folder/env/bin/pip" install --quiet urchin==0.0.30 yourdfpy==0.0.60 pin==4.1.0 mujoco==4.0.0 numpy==2.4.6
 cat >"$folder/check.py" <<'CHECK'
 import sys
 

@@ -18,8 +18,11 @@
 #   pinocchio: 3 coordinates, moves along xy, turns about z
 #   urchin: 2 coordinates, moves along xy, turns about none
 #   yourdfpy: 1 coordinates, moves along none, turns about none
-source "$(dirname "${BASH_SOURCE[0]}")/packages.sh"
-python_packages yourdfpy==0.0.60 urchin==0.0.30 pin==4.1.0 pybullet==3.2.7 mujoco==4.0.0 \
+set -euo pipefail
+folder=$(mktemp -d)
+trap 'rm -rf "$folder"' EXIT
+"${PYTHON:-python3.11}" -m venv "$folder/env"
+"$folder/env/bin/pip" install --quiet yourdfpy==0.0.60 urchin==0.0.30 pin==4.1.0 pybullet==3.2.7 mujoco==4.0.0 \
     numpy==2.4.6
 cat >"$folder/check.py" <<'CHECK'
 import sys

@@ -16,8 +16,11 @@
 # Seen:
 #   rack: coef0 0.1, coef1 0.02, at the limit 1.2459 by the file, 0.12 by the URDF; in Newton: 0.02
 #   wheel: coef0 5.7296, coef1 -2.0, at the limit -108.862 by the file, -108.862 by the URDF; in Newton: -2.0
-source "$(dirname "${BASH_SOURCE[0]}")/packages.sh"
-python_packages urdf-usd-converter==0.3.4 newton-usd-schemas==0.6.0 newton==1.8.0
+set -euo pipefail
+folder=$(mktemp -d)
+trap 'rm -rf "$folder"' EXIT
+"${PYTHON:-python3.11}" -m venv "$folder/env"
+"$folder/env/bin/pip" install --quiet urdf-usd-converter==0.3.4 newton-usd-schemas==0.6.0 newton==1.8.0
 cat >"$folder/check.py" <<'CHECK'
 import glob
 import math

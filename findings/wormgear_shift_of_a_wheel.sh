@@ -19,8 +19,11 @@
 #   shift 0.25: centre distance 38.144, wheel tip to worm root 0.00 mm, valid
 #   shift 0.3: centre distance 38.144, wheel tip to worm root -0.10 mm, not valid
 #   shift 0.5 at a centre distance of 50: module 2.5641, wheel tip to worm root -0.64 mm
-source "$(dirname "${BASH_SOURCE[0]}")/packages.sh"
-python_packages pydantic==2.14.4
+set -euo pipefail
+folder=$(mktemp -d)
+trap 'rm -rf "$folder"' EXIT
+"${PYTHON:-python3.11}" -m venv "$folder/env"
+"$folder/env/bin/pip" install --quiet --no-compile pydantic==2.14.4
 "$folder/env/bin/pip" install --quiet --no-compile --no-deps wormgear==0.0.8 # its geometry alone needs build123d
 cat >"$folder/check.py" <<'CHECK'
 from wormgear.calculator import design_from_centre_distance, design_from_module, validate_design

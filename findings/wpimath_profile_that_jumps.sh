@@ -17,8 +17,11 @@
 #   1 m/s, 100 mm left: at 0 s -13.3 mm and 0.673 m/s, at 0.337 s 100.0 mm and 0.000 m/s, largest jump 13.2 mm
 #   run-up to 1 m/s: at 0 s 0.0 mm and 0.000 m/s, at 0.337 s 113.3 mm and 0.673 m/s, largest jump 74.9 mm
 #   rest to rest: at 0 s 0.0 mm and 0.000 m/s, at 0.447 s 100.0 mm and 0.000 m/s, largest jump 0.0 mm
-source "$(dirname "${BASH_SOURCE[0]}")/packages.sh"
-python_packages robotpy-wpimath==2026.2.2 numpy==2.4.6
+set -euo pipefail
+folder=$(mktemp -d)
+trap 'rm -rf "$folder"' EXIT
+"${PYTHON:-python3.11}" -m venv "$folder/env"
+"$folder/env/bin/pip" install --quiet --no-compile robotpy-wpimath==2026.2.2 numpy==2.4.6
 cat >"$folder/check.py" <<'CHECK'
 from wpimath.trajectory import TrapezoidProfile
 
