@@ -14,7 +14,7 @@ mod terms;
 mod vectors;
 
 pub use binding::{Binding, Source};
-pub(crate) use definitions::{dependencies, meaning};
+pub(crate) use definitions::meaning;
 pub use node::{Node, NodeId, Symbol, SymbolId};
 pub use shared::{Graph, Snapshot};
 pub(crate) use store::Store;

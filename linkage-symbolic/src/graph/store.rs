@@ -5,6 +5,9 @@ use super::node::{Node, NodeId, Symbol, SymbolId};
 use super::vectors::Vectors;
 use crate::lookup::{Map, Set};
 
+/// Among so many nodes for each one that is looked for, these are put in order by going through all.
+const DENSE: usize = 16;
+
 /// A flat arena of operations. Equal operations are one node.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Store {
@@ -34,17 +37,21 @@ impl Store {
 
     /// The operation of a node.
     pub(crate) fn node(&self, id: NodeId) -> Node {
-        self.nodes[id.index()]
+        // A slice: an index of a list is two calls more where nothing is optimised.
+        let nodes: &[Node] = &self.nodes;
+        nodes[id.0 as usize]
     }
 
     /// When a node's value is known.
     pub(crate) fn binding(&self, id: NodeId) -> Binding {
-        self.bindings[id.index()]
+        let bindings: &[Binding] = &self.bindings;
+        bindings[id.0 as usize]
     }
 
     /// Returns true for a node that is no negative number for any operands; it may be -0, or NaN.
     pub(crate) fn is_never_negative(&self, id: NodeId) -> bool {
-        self.never_negative[id.index()]
+        let never_negative: &[bool] = &self.never_negative;
+        never_negative[id.0 as usize]
     }
 
     /// A number.
@@ -161,11 +168,13 @@ impl Store {
         let binding = match node {
             Node::Constant(_) => Binding::Constant,
             Node::Symbol(symbol) => self.symbols[symbol.index()].binding,
-            _ => node
-                .operands()
-                .map(|o| self.binding(o))
-                .max()
-                .unwrap_or(Binding::Constant),
+            _ => {
+                let mut latest = Binding::Constant;
+                for operand in node.operands() {
+                    latest = latest.max(self.binding(operand));
+                }
+                latest
+            }
         };
         let never_negative = self.makes_no_negative(node);
         let id = NodeId(self.nodes.len() as u32);
@@ -179,17 +188,37 @@ impl Store {
     /// All nodes that `roots` are made of, roots included, children first, without following
     /// definitions.
     pub(crate) fn reachable(&self, roots: &[NodeId]) -> Vec<NodeId> {
-        let mut seen = vec![false; self.len()];
-        let mut stack: Vec<NodeId> = roots.to_vec();
+        let seen: &mut [bool] = &mut vec![false; self.len()];
+        let mut open: Vec<NodeId> = roots.to_vec();
         let mut found = Vec::new();
-        while let Some(id) = stack.pop() {
-            if std::mem::replace(&mut seen[id.index()], true) {
+        let (mut first, mut end) = (self.len(), 0);
+        while let Some(id) = open.pop() {
+            let index = id.index();
+            if seen[index] {
                 continue;
             }
+            seen[index] = true;
+            first = first.min(index);
+            end = end.max(index + 1);
             found.push(id);
-            stack.extend(self.node(id).operands());
+            for operand in self.node(id).operands() {
+                if !seen[operand.index()] {
+                    open.push(operand);
+                }
+            }
         }
-        found.sort_unstable();
+        if found.len() < end.saturating_sub(first) / DENSE {
+            found.sort_unstable();
+            return found;
+        }
+        found.clear();
+        let mut index = first;
+        while index < end {
+            if seen[index] {
+                found.push(NodeId(index as u32));
+            }
+            index += 1;
+        }
         found
     }
 
@@ -221,7 +250,11 @@ impl Store {
             }
             match self.node(id) {
                 Node::Symbol(symbol) => symbols.push(symbol),
-                node => stack.extend(node.operands()),
+                node => {
+                    for operand in node.operands() {
+                        stack.push(operand);
+                    }
+                }
             }
         }
         symbols.sort_unstable();

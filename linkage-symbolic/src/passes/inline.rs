@@ -1,6 +1,6 @@
 //! Removes definitions: each unknown is replaced by the expression that it is computed from.
 
-use crate::graph::{Graph, Node, NodeId, dependencies};
+use crate::graph::{Graph, Node, NodeId, meaning};
 use crate::lookup::Map;
 
 /// Copies nodes of one graph into another without definitions, simplifying again: factors of a
@@ -30,10 +30,16 @@ impl Inliner {
                 continue;
             }
             let waiting = stack.len();
-            for below in dependencies(source, id) {
+            let node = source.node(id);
+            for below in node.operands() {
                 if !self.copied.contains_key(&below) {
                     stack.push(below);
                 }
+            }
+            if let (Some(below), _) = meaning(source, node)
+                && !self.copied.contains_key(&below)
+            {
+                stack.push(below);
             }
             if stack.len() > waiting {
                 continue;

@@ -32,7 +32,11 @@ impl Slots {
         while let Some(&id) = stack.last() {
             let node = source.node(id);
             let waiting = stack.len();
-            stack.extend(node.operands().filter(|x| !self.copied.contains_key(x)));
+            for operand in node.operands() {
+                if !self.copied.contains_key(&operand) {
+                    stack.push(operand);
+                }
+            }
             if stack.len() == waiting {
                 let copy = self.copy_operation(source, node);
                 self.copied.insert(id, copy);
@@ -131,9 +135,13 @@ impl<'a> Scheduler<'a> {
             }
             let waiting = stack.len();
             if !self.is_slot(id) {
-                let operands: Vec<NodeId> = self.operation(id).operands().collect();
-                let missing = operands.into_iter().rev();
-                stack.extend(missing.filter(|x| !self.values.contains_key(x)));
+                for operand in self.operation(id).operands() {
+                    if !self.values.contains_key(&operand) {
+                        stack.push(operand);
+                    }
+                }
+                // The first operand comes first.
+                stack[waiting..].reverse();
             }
             if stack.len() > waiting {
                 continue;

@@ -122,7 +122,9 @@ impl Program {
         }
         for (index, instruction) in self.instructions.iter().enumerate().rev() {
             if used[index] {
-                instruction.operands().for_each(|x| used[x.0] = true);
+                for operand in instruction.operands() {
+                    used[operand.0] = true;
+                }
             }
         }
         used
@@ -142,11 +144,13 @@ impl Program {
     /// that computes it.
     pub fn mistake(&self) -> Option<String> {
         for (index, instruction) in self.instructions.iter().enumerate() {
-            if let Some(late) = instruction.operands().find(|x| x.0 >= index) {
-                return Some(format!(
-                    "v{index} = {instruction} stands before v{}",
-                    late.0
-                ));
+            for late in instruction.operands() {
+                if late.0 >= index {
+                    return Some(format!(
+                        "v{index} = {instruction} stands before v{}",
+                        late.0
+                    ));
+                }
             }
             if let Instruction::Second(of) = instruction {
                 let pair = self.instructions[of.0];
