@@ -195,7 +195,6 @@ impl Machine {
 
     /// All values at given inputs.
     pub(crate) fn run(&self, values: &mut Vec<f64>, inputs: &[f64]) {
-        values.clear();
         self.advance(values, 0, self.closure.program.instructions.len(), inputs);
     }
 
