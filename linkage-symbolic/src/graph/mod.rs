@@ -1,6 +1,6 @@
 //! The graph: a flat arena of operations.
 //!
-//! From the ground up: `binding` and `node` are the data, `vectors` remembers facts about vectors,
+//! From the ground up: `binding` and `node` are the data, `node_numbers` is a table of nodes, `vectors` remembers facts about vectors,
 //! `store` is the arena, `terms` recognises forms of operands, `shared` is the arena behind a
 //! shared reference, and `definitions` leads from symbols to their definitions. Constructors that
 //! simplify are in [`rules`](crate::rules).
@@ -8,6 +8,7 @@
 mod binding;
 mod definitions;
 mod node;
+mod node_numbers;
 mod shared;
 mod store;
 mod terms;
@@ -16,6 +17,7 @@ mod vectors;
 pub use binding::{Binding, Source};
 pub(crate) use definitions::meaning;
 pub use node::{Node, NodeId, Symbol, SymbolId};
+pub(crate) use node_numbers::NodeNumbers;
 pub use shared::{Graph, Snapshot};
 pub(crate) use store::Store;
 pub(crate) use vectors::Vectors;

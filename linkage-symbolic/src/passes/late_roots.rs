@@ -7,7 +7,7 @@
 //! before.
 
 use crate::expression::rebuild_shared;
-use crate::graph::{Binding, Graph, Node, NodeId};
+use crate::graph::{Binding, Graph, Node, NodeId, NodeNumbers};
 use crate::lookup::Map;
 use crate::program::{Binary, Ternary, Unary};
 
@@ -31,16 +31,16 @@ fn rewritten(
     rewrite: impl Fn(&View, NodeId, Renewed) -> Option<NodeId>,
 ) -> Vec<NodeId> {
     let graph = view.graph;
-    let mut renewed: Map<NodeId, NodeId> = Map::new();
+    let mut renewed = NodeNumbers::new(graph.len());
     for &id in &view.nodes {
-        let new = |x: NodeId| renewed[&x];
+        let new = |x: NodeId| renewed.node(x);
         let node = match rewrite(view, id, &new) {
             Some(node) => node,
             None => rebuild_shared(graph, id, graph.node(id), new),
         };
-        renewed.insert(id, node);
+        renewed.set(id, node.index());
     }
-    outputs.iter().map(|output| renewed[output]).collect()
+    outputs.iter().map(|output| renewed.node(*output)).collect()
 }
 
 /// A product with a sign.
@@ -58,7 +58,7 @@ struct View<'a> {
     /// The operations on each node; an output is used once more.
     users: Map<NodeId, Vec<NodeId>>,
     /// The number of roots that each node waits for, one after the other.
-    roots: Map<NodeId, usize>,
+    roots: NodeNumbers,
     /// Sums of two products, by their factors in order.
     sums: Map<[[NodeId; 2]; 2], NodeId>,
 }
@@ -69,7 +69,7 @@ impl<'a> View<'a> {
             graph,
             nodes: graph.reachable(outputs),
             users: Map::new(),
-            roots: Map::new(),
+            roots: NodeNumbers::new(graph.len()),
             sums: Map::new(),
         };
         for index in 0..view.nodes.len() {
@@ -81,10 +81,10 @@ impl<'a> View<'a> {
             );
             let mut before = 0;
             for operand in node.operands() {
-                before = before.max(view.roots[&operand]);
+                before = before.max(view.waits_for(operand));
                 view.users.entry(operand).or_default().push(id);
             }
-            view.roots.insert(id, before + usize::from(is_root));
+            view.roots.set(id, before + usize::from(is_root));
             if let Some(sum) = view.two_products(id) {
                 view.sums.insert(key(sum.map(|item| item.factors)), id);
             }
@@ -96,7 +96,7 @@ impl<'a> View<'a> {
     }
 
     fn waits_for(&self, id: NodeId) -> usize {
-        self.roots[&id]
+        self.roots.get(id).unwrap_or(0)
     }
 
     fn used_once(&self, id: NodeId) -> bool {
