@@ -249,9 +249,29 @@ pub(super) fn pairs(program: &Program) -> TokenStream {
     quote!([#(#pairs),*])
 }
 
+/// Returns a call of a method for each number with its value. `method` is what precedes their
+/// parentheses.
+pub(super) fn puts(
+    method: TokenStream,
+    values: impl Iterator<Item = (usize, Value)>,
+) -> TokenStream {
+    let method = Code::from(method);
+    let mut code = Code::default();
+    for (number, value) in values {
+        let mut operands = Code::default();
+        operands.tree(literal::index(number).into());
+        operands.sign(',');
+        operands.ident(&name(value));
+        code.code(&method);
+        code.group(Delimiter::Parenthesis, operands.into_stream());
+        code.sign(';');
+    }
+    code.into_stream()
+}
+
 /// The temporary of a value.
 pub(super) fn name(value: Value) -> Ident {
-    format_ident!("__v{}", value.0, span = Span::mixed_site())
+    Ident::new(&format!("__v{}", value.0), Span::mixed_site())
 }
 
 /// Marks the values that something is computed from, or that are results.

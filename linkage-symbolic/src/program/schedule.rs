@@ -140,8 +140,11 @@ impl<'a> Scheduler<'a> {
                         stack.push(operand);
                     }
                 }
-                // The first operand comes first.
-                stack[waiting..].reverse();
+                // Of at most three operands the first comes first.
+                if stack.len() > waiting + 1 {
+                    let last = stack.len() - 1;
+                    stack.swap(waiting, last);
+                }
             }
             if stack.len() > waiting {
                 continue;
