@@ -1,12 +1,13 @@
 //! The graph: a flat arena of operations.
 //!
-//! From the ground up: `binding` and `node` are the data, `node_numbers` is a table of nodes, `vectors` remembers facts about vectors,
-//! `store` is the arena, `terms` recognises forms of operands, `shared` is the arena behind a
-//! shared reference, and `definitions` leads from symbols to their definitions. Constructors that
-//! simplify are in [`rules`](crate::rules).
+//! From the ground up: `binding` and `node` are the data, `marks` and `node_numbers` are tables of
+//! nodes, `vectors` remembers facts about vectors, `store` is the arena, `terms` recognises forms of
+//! operands, `shared` is the arena behind a shared reference, and `definitions` leads from symbols
+//! to their definitions. Constructors that simplify are in [`rules`](crate::rules).
 
 mod binding;
 mod definitions;
+mod marks;
 mod node;
 mod node_numbers;
 mod shared;

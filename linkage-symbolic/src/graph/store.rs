@@ -1,6 +1,9 @@
 //! The contents of the graph.
 
+use std::cell::RefCell;
+
 use super::binding::{Binding, Source};
+use super::marks::Marks;
 use super::node::{Node, NodeId, Symbol, SymbolId};
 use super::vectors::Vectors;
 use crate::lookup::{Map, Set};
@@ -23,6 +26,8 @@ pub(crate) struct Store {
     with_sine: Set<SymbolId>,
     /// The number of definitions that were exchanged for another.
     revision: usize,
+    /// The nodes that the present walk has seen.
+    marks: RefCell<Marks>,
     /// Known facts about vectors.
     pub(crate) vectors: Vectors,
     /// Known slopes of nodes: the argument, and the slope with respect to it.
@@ -188,21 +193,21 @@ impl Store {
     /// All nodes that `roots` are made of, roots included, children first, without following
     /// definitions.
     pub(crate) fn reachable(&self, roots: &[NodeId]) -> Vec<NodeId> {
-        let seen: &mut [bool] = &mut vec![false; self.len()];
+        let mut seen = self.marks.borrow_mut();
+        seen.begin(self.len());
         let mut open: Vec<NodeId> = roots.to_vec();
         let mut found = Vec::new();
         let (mut first, mut end) = (self.len(), 0);
         while let Some(id) = open.pop() {
-            let index = id.index();
-            if seen[index] {
+            if !seen.mark(id) {
                 continue;
             }
-            seen[index] = true;
+            let index = id.index();
             first = first.min(index);
             end = end.max(index + 1);
             found.push(id);
             for operand in self.node(id).operands() {
-                if !seen[operand.index()] {
+                if !seen.has(operand) {
                     open.push(operand);
                 }
             }
@@ -212,26 +217,27 @@ impl Store {
             return found;
         }
         found.clear();
-        let mut index = first;
-        while index < end {
-            if seen[index] {
-                found.push(NodeId(index as u32));
+        while first < end {
+            let id = NodeId(first as u32);
+            if seen.has(id) {
+                found.push(id);
             }
-            index += 1;
+            first += 1;
         }
         found
     }
 
     /// True if `root` is `part` or computed from it, without following definitions.
     pub(crate) fn contains(&self, root: NodeId, part: NodeId) -> bool {
-        let mut seen = Set::new();
+        let mut seen = self.marks.borrow_mut();
+        seen.begin(self.len());
         let mut open = vec![root];
         while let Some(id) = open.pop() {
             if id == part {
                 return true;
             }
             // Operands stand before their operations: nothing below `part` can contain it.
-            if id > part && seen.insert(id) {
+            if id > part && seen.mark(id) {
                 open.extend(self.node(id).operands());
             }
         }
@@ -240,12 +246,12 @@ impl Store {
 
     /// The symbols that `roots` are made of, in order, without following definitions.
     pub(crate) fn symbols_of(&self, roots: &[NodeId]) -> Vec<SymbolId> {
-        // Most are asked of small expressions in a large graph: nothing here is as long as that.
-        let mut seen = Set::new();
+        let mut seen = self.marks.borrow_mut();
+        seen.begin(self.len());
         let mut stack: Vec<NodeId> = roots.to_vec();
         let mut symbols = Vec::new();
         while let Some(id) = stack.pop() {
-            if !seen.insert(id) {
+            if !seen.mark(id) {
                 continue;
             }
             match self.node(id) {

@@ -27,8 +27,11 @@ impl Program {
             let binding = match instruction {
                 Instruction::Load(source) => source.binding(),
                 _ => {
-                    let operands = instruction.operands().map(|x| bindings[x.0]);
-                    operands.max().unwrap_or(Binding::Constant)
+                    let mut latest = Binding::Constant;
+                    for operand in instruction.operands() {
+                        latest = latest.max(bindings[operand.0]);
+                    }
+                    latest
                 }
             };
             bindings.push(binding);
@@ -71,9 +74,9 @@ impl Program {
         let used = self.used(self.outputs.iter().copied());
         let mut places = Vec::with_capacity(used.len());
         let mut kept = Self::default();
-        for (instruction, used) in self.instructions.into_iter().zip(used) {
+        for (index, instruction) in self.instructions.iter().enumerate() {
             places.push(Value(kept.instructions.len()));
-            if used {
+            if used[index] {
                 kept.push(instruction.with_operands(|x| places[x.0]));
             }
         }
