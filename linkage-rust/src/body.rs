@@ -173,13 +173,13 @@ impl<'a> Writer<'a> {
     }
 
     fn sin_cos(&mut self, x: Value, code: &mut Code) {
-        let method = || match self.runs {
+        let runs = self.runs;
+        let method = || match runs {
             Runs::Once => quote!(T::sin_cos_with::<__FUSED>),
             Runs::InRows => quote!(T::sin_cos_in_rows::<__FUSED, __ROWS>),
             Runs::InRowsOrAlone => quote!(T::sin_cos_shortest::<__FUSED, __ROWS>),
         };
-        let method = method();
-        self.method("sin_cos", || method, code);
+        self.method("sin_cos", method, code);
         self.operands(&[x], None, code);
     }
 
