@@ -3,16 +3,18 @@
 use proc_macro2::TokenStream;
 use quote::quote;
 
+use super::code::joined;
 use super::docs::doc;
 use super::outline::{Outline, plain};
 use super::{assembly_data, attribute, constructors, coupled, literal, sweeps};
 
 /// The name of its core, and the public functions of the assembly type that make one and read it.
 pub(super) fn items(outline: &Outline) -> TokenStream {
-    let mut items = core_name(outline);
-    items.extend(accessors(outline));
-    items.extend(constructors::items(outline));
-    items
+    joined([
+        core_name(outline),
+        accessors(outline),
+        constructors::items(outline),
+    ])
 }
 
 /// The assembly type and its data.

@@ -1,9 +1,12 @@
 //! A straight-line program as a flat list of statements.
 
-use linkage_symbolic::program::{Fused, Instruction, Program, RustCall, Source, Ternary, Value};
-use proc_macro2::{Ident, Literal, Punct, Spacing, Span, TokenStream};
-use quote::{ToTokens, format_ident, quote};
+use std::collections::BTreeMap;
 
+use linkage_symbolic::program::{Fused, Instruction, Program, RustCall, Source, Ternary, Value};
+use proc_macro2::{Delimiter, Ident, Literal, Span, TokenStream, TokenTree};
+use quote::{format_ident, quote};
+
+use super::code::Code;
 use super::literal;
 
 /// The number of times that a program runs.
@@ -17,68 +20,194 @@ pub(super) enum Runs {
     InRowsOrAlone,
 }
 
+/// Writes the expression that a number is loaded from.
+pub(super) type Load<'a> = dyn Fn(Source, &mut Code) + 'a;
+
 /// The statements of `program` over the scalar type `T`, where `__FUSED` says whether multiply-adds
-/// are fused; `load` prints the expression that a number is loaded from.
-pub(super) fn statements(
-    program: &Program,
-    runs: Runs,
-    load: &dyn Fn(Source) -> TokenStream,
-) -> TokenStream {
+/// are fused.
+pub(super) fn statements(program: &Program, runs: Runs, load: &Load) -> TokenStream {
     let [all, _] = parts(program, runs, load, program.instructions.len());
     all
 }
 
 /// The [`statements`] of the first instructions, as many as `count`, and those of the others.
-pub(super) fn parts(
-    program: &Program,
-    runs: Runs,
-    load: &dyn Fn(Source) -> TokenStream,
-    count: usize,
-) -> [TokenStream; 2] {
+pub(super) fn parts(program: &Program, runs: Runs, load: &Load, count: usize) -> [TokenStream; 2] {
     let read = read(program);
     let long = program.instructions.len() > LONG;
-    let first = if long {
-        declarations(program, &read)
-    } else {
-        TokenStream::new()
-    };
-    let mut parts = [first, TokenStream::new()];
-    let keyword = if long {
-        TokenStream::new()
-    } else {
-        quote!(let)
-    };
+    let mut first = Code::default();
+    if long {
+        first.stream(declarations(program, &read));
+    }
+    let mut parts = [first, Code::default()];
+    let mut writer = Writer::new(program, runs);
     for (index, instruction) in program.instructions.iter().enumerate() {
-        let value = Value(index);
-        let expression = match *instruction {
+        // Its pattern is part of the statement that computes it.
+        if matches!(instruction, Instruction::Second(_)) {
+            continue;
+        }
+        let code = &mut parts[usize::from(index >= count)];
+        if !long {
+            code.word("let");
+        }
+        writer.pattern(Value(index), &read, code);
+        code.sign('=');
+        match *instruction {
+            Instruction::Load(source) => load(source, code),
+            _ => writer.operation(instruction, code),
+        }
+        code.sign(';');
+    }
+    parts.map(Code::into_stream)
+}
+
+/// Writes operations of a program. Statements are most of the generated code, and the macro runs
+/// without optimisation: names and the beginnings of calls are made once.
+struct Writer<'a> {
+    program: &'a Program,
+    runs: Runs,
+    names: Vec<Ident>,
+    /// What precedes the operands of a method.
+    methods: BTreeMap<&'static str, Vec<TokenTree>>,
+}
+
+impl<'a> Writer<'a> {
+    fn new(program: &'a Program, runs: Runs) -> Self {
+        let values = 0..program.instructions.len();
+        Self {
+            program,
+            runs,
+            names: values.map(|k| name(Value(k))).collect(),
+            methods: BTreeMap::new(),
+        }
+    }
+
+    /// Writes the pattern that an instruction's result is bound to: sine and cosine come together,
+    /// and a value that nothing reads has no name.
+    fn pattern(&self, value: Value, read: &[bool], code: &mut Code) {
+        let first = &self.names[value.0];
+        if !matches!(self.program.instructions[value.0], Instruction::SinCos(_)) {
+            code.ident(first);
+            return;
+        }
+        let behind = value.0 + 1;
+        let mut pair = Code::default();
+        match read[value.0] {
+            true => pair.ident(first),
+            false => pair.word("_"),
+        }
+        pair.sign(',');
+        match self.program.instructions.get(behind) {
+            Some(Instruction::Second(_)) => pair.ident(&self.names[behind]),
+            _ => pair.word("_"),
+        }
+        code.group(Delimiter::Parenthesis, pair.into_stream());
+    }
+
+    fn operation(&mut self, instruction: &Instruction, code: &mut Code) {
+        match *instruction {
             Instruction::Constant(x) => {
-                let x = literal::float(x);
-                quote!(T::from_f64(#x))
+                self.method("from_f64", || quote!(T::from_f64), code);
+                code.group(Delimiter::Parenthesis, literal::float(x));
             }
-            Instruction::Load(source) => load(source),
-            Instruction::Unary(operation, x) => call(operation.row().call, runs, &[name(x)]),
-            Instruction::Binary(operation, a, b) => {
-                call(operation.row().call, runs, &[a, b].map(name))
-            }
-            Instruction::Ternary(Ternary::Select, s, a, b) if is_nan(program, b) => {
-                let [s, a] = [s, a].map(name);
-                quote!(T::unless_negative(#s, #a))
+            Instruction::Unary(operation, x) => self.call(operation.row().call, &[x], code),
+            Instruction::Binary(operation, a, b) => self.call(operation.row().call, &[a, b], code),
+            Instruction::Ternary(Ternary::Select, s, a, b) if is_nan(self.program, b) => {
+                let method = || quote!(T::unless_negative);
+                self.method("unless_negative", method, code);
+                self.operands(&[s, a], None, code);
             }
             Instruction::Ternary(operation, a, b, c) => {
-                call(operation.row().call, runs, &[a, b, c].map(name))
+                self.call(operation.row().call, &[a, b, c], code);
             }
             Instruction::Fused(operation, a, b, c) => {
-                fused(operation, &name(a), &name(b), &name(c))
+                self.method("mul_add", || quote!(T::mul_add::<__FUSED>), code);
+                let negative = match operation {
+                    Fused::MulAdd => None,
+                    Fused::MulSub => Some(2),
+                    Fused::SubMul => Some(0),
+                };
+                self.operands(&[a, b, c], negative, code);
             }
-            Instruction::SinCos(x) => sin_cos(runs, &name(x)),
-            // Its pattern is part of the statement that computes it.
-            Instruction::Second(_) => continue,
-        };
-        let pattern = pattern(program, value, &read);
-        let part = usize::from(index >= count);
-        parts[part].extend(quote!(#keyword #pattern = #expression;));
+            Instruction::SinCos(x) => self.sin_cos(x, code),
+            Instruction::Load(_) | Instruction::Second(_) => {
+                unreachable!("the caller has written it")
+            }
+        }
     }
-    parts
+
+    /// Writes the code of an operation.
+    fn call(&mut self, call: RustCall, operands: &[Value], code: &mut Code) {
+        match call {
+            RustCall::Operator(sign) => {
+                if let [a, _] = operands {
+                    code.ident(&self.names[a.0]);
+                }
+                code.sign(sign);
+                if let [.., last] = operands {
+                    code.ident(&self.names[last.0]);
+                }
+            }
+            RustCall::Method(name) => {
+                let method = || {
+                    let name = format_ident!("{name}");
+                    quote!(T::#name)
+                };
+                self.method(name, method, code);
+                self.operands(operands, None, code);
+            }
+            RustCall::FusedMethod(name) => {
+                let method = || {
+                    let name = format_ident!("{name}");
+                    quote!(T::#name::<__FUSED>)
+                };
+                self.method(name, method, code);
+                self.operands(operands, None, code);
+            }
+            // Programs are paired before they are printed; alone they are right all the same.
+            RustCall::SinePair(number) => {
+                self.sin_cos(operands[0], code);
+                code.sign('.');
+                code.tree(Literal::usize_unsuffixed(number).into());
+            }
+        }
+    }
+
+    fn sin_cos(&mut self, x: Value, code: &mut Code) {
+        let runs = self.runs;
+        let method = || match runs {
+            Runs::Once => quote!(T::sin_cos_with::<__FUSED>),
+            Runs::InRows => quote!(T::sin_cos_in_rows::<__FUSED, __ROWS>),
+            Runs::InRowsOrAlone => quote!(T::sin_cos_shortest::<__FUSED, __ROWS>),
+        };
+        self.method("sin_cos", method, code);
+        self.operands(&[x], None, code);
+    }
+
+    /// Writes what precedes the operands of a method, which `tokens` makes.
+    fn method(
+        &mut self,
+        name: &'static str,
+        tokens: impl FnOnce() -> TokenStream,
+        code: &mut Code,
+    ) {
+        let known = self.methods.entry(name);
+        code.trees(known.or_insert_with(|| tokens().into_iter().collect()));
+    }
+
+    /// Writes operands in parentheses, one of them with a minus sign.
+    fn operands(&self, operands: &[Value], negative: Option<usize>, code: &mut Code) {
+        let mut list = Code::default();
+        for (index, operand) in operands.iter().enumerate() {
+            if index > 0 {
+                list.sign(',');
+            }
+            if negative == Some(index) {
+                list.sign('-');
+            }
+            list.ident(&self.names[operand.0]);
+        }
+        code.group(Delimiter::Parenthesis, list.into_stream());
+    }
 }
 
 /// Returns true if a value is always NaN.
@@ -120,9 +249,29 @@ pub(super) fn pairs(program: &Program) -> TokenStream {
     quote!([#(#pairs),*])
 }
 
+/// Returns a call of a method for each number with its value. `method` is what precedes their
+/// parentheses.
+pub(super) fn puts(
+    method: TokenStream,
+    values: impl Iterator<Item = (usize, Value)>,
+) -> TokenStream {
+    let method = Code::from(method);
+    let mut code = Code::default();
+    for (number, value) in values {
+        let mut operands = Code::default();
+        operands.tree(literal::index(number).into());
+        operands.sign(',');
+        operands.ident(&name(value));
+        code.code(&method);
+        code.group(Delimiter::Parenthesis, operands.into_stream());
+        code.sign(';');
+    }
+    code.into_stream()
+}
+
 /// The temporary of a value.
 pub(super) fn name(value: Value) -> Ident {
-    format_ident!("__v{}", value.0, span = Span::mixed_site())
+    Ident::new(&format!("__v{}", value.0), Span::mixed_site())
 }
 
 /// Marks the values that something is computed from, or that are results.
@@ -136,69 +285,4 @@ fn read(program: &Program) -> Vec<bool> {
     }
     program.outputs.iter().for_each(|x| read[x.0] = true);
     read
-}
-
-/// The pattern that an instruction's result is bound to: sine and cosine come together, and a value
-/// that nothing reads has no name.
-fn pattern(program: &Program, value: Value, read: &[bool]) -> TokenStream {
-    let first = name(value);
-    if !matches!(program.instructions[value.0], Instruction::SinCos(_)) {
-        return quote!(#first);
-    }
-    let behind = Value(value.0 + 1);
-    let sine = if read[value.0] {
-        quote!(#first)
-    } else {
-        quote!(_)
-    };
-    let cosine = match program.instructions.get(behind.0) {
-        Some(Instruction::Second(_)) => name(behind).into_token_stream(),
-        _ => quote!(_),
-    };
-    quote!((#sine, #cosine))
-}
-
-fn sin_cos(runs: Runs, x: &Ident) -> TokenStream {
-    match runs {
-        Runs::Once => quote!(T::sin_cos_with::<__FUSED>(#x)),
-        Runs::InRows => quote!(T::sin_cos_in_rows::<__FUSED, __ROWS>(#x)),
-        Runs::InRowsOrAlone => quote!(T::sin_cos_shortest::<__FUSED, __ROWS>(#x)),
-    }
-}
-
-/// The code of an operation.
-fn call(call: RustCall, runs: Runs, operands: &[Ident]) -> TokenStream {
-    match call {
-        RustCall::Operator(sign) => {
-            let sign = Punct::new(sign, Spacing::Alone);
-            match operands {
-                [a, b] => quote!(#a #sign #b),
-                _ => quote!(#sign #(#operands)*),
-            }
-        }
-        RustCall::Method(name) => {
-            let name = format_ident!("{name}");
-            quote!(T::#name(#(#operands),*))
-        }
-        RustCall::FusedMethod(name) => {
-            let name = format_ident!("{name}");
-            quote!(T::#name::<__FUSED>(#(#operands),*))
-        }
-        // Programs are paired before they are printed; alone they are right all the same.
-        RustCall::SinePair(number) => {
-            let (pair, number) = (
-                sin_cos(runs, &operands[0]),
-                Literal::usize_unsuffixed(number),
-            );
-            quote!(#pair.#number)
-        }
-    }
-}
-
-fn fused(operation: Fused, a: &Ident, b: &Ident, c: &Ident) -> TokenStream {
-    match operation {
-        Fused::MulAdd => quote!(T::mul_add::<__FUSED>(#a, #b, #c)),
-        Fused::MulSub => quote!(T::mul_add::<__FUSED>(#a, #b, -#c)),
-        Fused::SubMul => quote!(T::mul_add::<__FUSED>(-#a, #b, #c)),
-    }
 }

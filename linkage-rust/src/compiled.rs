@@ -109,12 +109,8 @@ fn put_prepared(prepare: &Program) -> TokenStream {
 
 /// Puts outputs into the slots of these numbers.
 pub(super) fn put(program: &Program, slots: impl IntoIterator<Item = usize>) -> TokenStream {
-    let values = program.outputs.iter().zip(slots);
-    let puts = values.map(|(&value, slot)| {
-        let (slot, value) = (literal::index(slot), body::name(value));
-        quote!(__slots.put(#slot, #value);)
-    });
-    puts.collect()
+    let values = slots.into_iter().zip(program.outputs.iter().copied());
+    body::puts(quote!(__slots.put), values)
 }
 
 /// A program of the mechanism `self`, by the instructions of the build.

@@ -4,6 +4,7 @@ use linkage_symbolic::program::Program;
 use proc_macro2::TokenStream;
 use quote::quote;
 
+use crate::code::joined;
 use crate::outline::{Function, Outline};
 use crate::stages::Version;
 use crate::{
@@ -25,49 +26,47 @@ pub(crate) fn emit(
     printed: &Printer,
 ) -> TokenStream {
     let outline = Outline::complete(krate, def, unit);
-    let mut code = mechanism::items(&outline);
-    code.extend(mechanism::constants(
+    let mut code = vec![mechanism::items(&outline)];
+    code.push(mechanism::constants(
         &outline,
         &structure::literal(&outline, unit),
     ));
     if let Some(picture) = &unit.picture {
         let programs = printed(&def.title(), unit);
-        code.extend(picture::items(&outline, picture, &programs));
+        code.push(picture::items(&outline, picture, &programs));
     }
-    code.extend(dimensions::items(&outline));
-    let mut assembled = assembly::items(&outline);
-    assembled.extend(compiled::items(&outline, unit));
-    assembled.extend(grouped::items(&outline, unit));
-    assembled.extend(coupled::items(&outline, unit));
+    code.push(dimensions::items(&outline));
+    let mut assembled = vec![assembly::items(&outline)];
+    assembled.push(compiled::items(&outline, unit));
+    assembled.push(grouped::items(&outline, unit));
+    assembled.push(coupled::items(&outline, unit));
     if !unit.groups.is_empty() {
-        assembled.extend(constructors::circuits(&outline));
-        assembled.extend(range_check::items(&outline));
+        assembled.push(constructors::circuits(&outline));
+        assembled.push(range_check::items(&outline));
     }
-    assembled.extend(follower::items(&outline, unit));
+    assembled.push(follower::items(&outline, unit));
     for (function, compiled) in outline.functions.iter().zip(&unit.functions) {
-        assembled.extend(self::function(&outline, function, compiled, &unit.prepare));
+        assembled.push(self::function(&outline, function, compiled, &unit.prepare));
     }
-    code.extend(with_prepared(&outline, assembled));
-    let mut items = types(&outline, follower::types);
-    items.extend(block::items(&outline, &code));
-    items
+    code.push(with_prepared(&outline, joined(assembled)));
+    let types = types(&outline, follower::types);
+    joined([types, block::items(&outline, &joined(code))])
 }
 
 /// The types of a mechanism and of its functions; `follower` prints that of its follower.
 pub(crate) fn types(outline: &Outline, follower: impl Fn(&Outline) -> TokenStream) -> TokenStream {
     let outline = &outline.for_types();
-    let mut types = mechanism::structure(outline);
-    let mut assembled = assembly::structure(outline);
-    assembled.extend(follower(outline));
+    let mut assembled = vec![assembly::structure(outline)];
+    assembled.push(follower(outline));
     for function in &outline.functions {
         let result = evaluator::result(outline, function);
         let columns = columns::types(outline, function);
-        assembled.extend(result_module::with_imports(
+        assembled.push(result_module::with_imports(
             outline, function, &result, &columns,
         ));
     }
-    types.extend(with_prepared(outline, assembled));
-    types
+    let assembled = with_prepared(outline, joined(assembled));
+    joined([mechanism::structure(outline), assembled])
 }
 
 /// The items, with an allocator only if values are prepared that need one.
@@ -88,8 +87,10 @@ fn function(
     compiled: &ir::Function,
     prepare: &Program,
 ) -> TokenStream {
-    let mut items = results(outline, function);
-    items.extend(evaluator::programs(outline, function));
+    let mut items = vec![
+        results(outline, function),
+        evaluator::programs(outline, function),
+    ];
     let versions = [
         (Some(&compiled.called), Version::Called),
         (compiled.beside.as_ref(), Version::Beside),
@@ -97,28 +98,32 @@ fn function(
     for (body, version) in versions {
         items.extend(body.map(|body| stages::items(outline, function, body, version)));
     }
-    items.extend(table::items(outline, function, &compiled.columns));
+    items.push(table::items(outline, function, &compiled.columns));
     let of_sets = compiled.beside.as_ref().unwrap_or(&compiled.called);
-    items.extend(kernels::items(outline, function, &of_sets.stages, prepare));
-    items
+    items.push(kernels::items(outline, function, &of_sets.stages, prepare));
+    joined(items)
 }
 
 /// The functions of the types of a function, and its methods.
 pub(crate) fn results(outline: &Outline, function: &Function) -> TokenStream {
-    let mut items = TokenStream::new();
-    items.extend(result_module::import(outline, function));
-    items.extend(debug::shown(outline, function));
-    items.extend(evaluator::result_row(outline, function));
-    items.extend(columns::items(outline, function));
     let Outline {
         runtime, assembly, ..
     } = outline;
     let everywhere = &attribute::split(function.attributes).everywhere;
     let method = evaluator::method(outline, function);
     let sweeps = sweeps::methods(outline, function);
-    items.extend(quote! {
+    let methods = quote! {
         #(#everywhere)*
         impl<T: #runtime::Scalar> #assembly<T> { #method #sweeps }
-    });
-    items
+    };
+    let shown = [
+        result_module::import(outline, function),
+        debug::shown(outline, function),
+    ];
+    let printed = [
+        evaluator::result_row(outline, function),
+        columns::items(outline, function),
+        methods,
+    ];
+    joined(shown.into_iter().flatten().chain(printed))
 }

@@ -14,6 +14,7 @@ mod assembly_data;
 mod attribute;
 mod block;
 mod body;
+mod code;
 mod columns;
 mod compiled;
 mod constructors;
@@ -48,6 +49,8 @@ mod table;
 #[cfg(test)]
 mod tests;
 
+use std::iter;
+
 use linkage_compiler::ir::CompiledMechanism;
 use linkage_compiler::{Analysed, Driver};
 use proc_macro2::{Group, TokenStream, TokenTree};
@@ -66,16 +69,12 @@ pub fn compile(
 ) -> TokenStream {
     let (krate, body) = split_crate_path(input);
     let driver = Driver::analyse(body);
-    let mut all = driver.syntax.to_tokens();
-    for mechanism in &driver.mechanisms {
-        all.extend(emitted(
-            mechanism,
-            &krate,
-            &printed,
-            driver.syntax.is_empty(),
-        ));
-    }
-    all
+    let sound = driver.syntax.is_empty();
+    let mechanisms = driver.mechanisms.iter();
+    let mechanisms = mechanisms.map(|mechanism| emitted(mechanism, &krate, &printed, sound));
+    iter::once(driver.syntax.to_tokens())
+        .chain(mechanisms)
+        .collect()
 }
 
 /// The items of a mechanism, or its mistakes and a skeleton.

@@ -4,9 +4,10 @@
 //! states of coupled groups. A stage has all of these in its `__core` and its `__row`.
 
 use linkage_symbolic::program::Source;
-use proc_macro2::{Literal, TokenStream};
-use quote::quote;
+use proc_macro2::Delimiter;
+use quote::{ToTokens, quote};
 
+use super::code::Code;
 use super::literal;
 use super::outline::{Function, Outline};
 
@@ -68,13 +69,14 @@ impl Places {
 pub(super) fn loader<'a>(
     outline: &'a Outline,
     places: &'a Places,
-) -> impl Fn(Source) -> TokenStream + 'a {
+) -> impl Fn(Source, &mut Code) + 'a {
     let names = Names {
-        mechanism: quote!(__m),
-        modes: quote!(__modes),
-        number: |index| quote!(__x[#index]),
-        prepared: |slot| quote!(__prepared[#slot]),
-        kept: |_| unreachable!("a program that is no stage takes nothing over"),
+        mechanism: quote!(__m).into(),
+        modes: quote!(__modes).into(),
+        number: quote!(__x).into(),
+        prepared: quote!(__prepared).into(),
+        kept: Code::default(),
+        brackets: Delimiter::Bracket,
     };
     loader_by(outline, places, names, &[])
 }
@@ -84,25 +86,36 @@ pub(super) fn stage_loader<'a>(
     outline: &'a Outline,
     places: &'a Places,
     taken: &'a [usize],
-) -> impl Fn(Source) -> TokenStream + 'a {
+) -> impl Fn(Source, &mut Code) + 'a {
     let names = Names {
-        mechanism: quote!(__core.dimensions),
-        modes: quote!(__core.modes),
-        number: |index| quote!(__row.number(#index)),
-        prepared: |slot| quote!(__row.prepared(#slot)),
-        kept: |index| quote!(__row.kept(#index)),
+        mechanism: quote!(__core.dimensions).into(),
+        modes: quote!(__core.modes).into(),
+        number: quote!(__row.number).into(),
+        prepared: quote!(__row.prepared).into(),
+        kept: quote!(__row.kept).into(),
+        brackets: Delimiter::Parenthesis,
     };
     loader_by(outline, places, names, taken)
 }
 
-/// The names of the numbers, those of lists by their index.
+/// The names of the numbers, those of lists without the index.
 struct Names {
-    mechanism: TokenStream,
-    modes: TokenStream,
+    mechanism: Code,
+    modes: Code,
     /// Inputs and states.
-    number: fn(Literal) -> TokenStream,
-    prepared: fn(Literal) -> TokenStream,
-    kept: fn(Literal) -> TokenStream,
+    number: Code,
+    prepared: Code,
+    /// Numbers of earlier stages; a program that is no stage takes nothing over.
+    kept: Code,
+    /// Around the index.
+    brackets: Delimiter,
+}
+
+impl Names {
+    fn entry(&self, list: &Code, index: usize, code: &mut Code) {
+        code.code(list);
+        code.group(self.brackets, literal::index(index).into_token_stream());
+    }
 }
 
 fn loader_by<'a>(
@@ -110,37 +123,33 @@ fn loader_by<'a>(
     places: &'a Places,
     names: Names,
     taken: &'a [usize],
-) -> impl Fn(Source) -> TokenStream + 'a {
+) -> impl Fn(Source, &mut Code) + 'a {
     let runtime = &outline.runtime;
     let fields = outline.scalar_fields();
-    move |source| {
-        let Names {
-            mechanism, modes, ..
-        } = &names;
-        match source {
-            Source::Parameter(index) => {
-                let field = &fields[index];
-                quote!(#mechanism.#field)
-            }
-            Source::Input(input) => (names.number)(literal::index(places.input(input))),
-            Source::State(group, component) => {
-                (names.number)(literal::index(places.state(group, component)))
-            }
-            Source::Limit => quote!(T::from_f64(T::CORRECTION_LIMIT)),
-            Source::Mode(mode) => {
-                let mode = literal::index(mode);
-                quote!(T::from_f64(#runtime::AssemblyMode::sign(#modes[#mode])))
-            }
-            Source::Centre(angle) => {
-                let angle = literal::index(angle);
-                quote!(__turns.centres[#angle])
-            }
-            Source::Winding(angle, input) => {
-                let (angle, input) = (literal::index(angle), literal::index(input));
-                quote!(__turns.windings[#angle][#input])
-            }
-            Source::Prepared(slot) => (names.prepared)(literal::index(slot)),
-            Source::Carried(index) => (names.kept)(literal::index(taken[index])),
+    move |source, code| match source {
+        Source::Parameter(index) => {
+            code.code(&names.mechanism);
+            code.sign('.');
+            code.stream(fields[index].clone());
         }
+        Source::Input(input) => names.entry(&names.number, places.input(input), code),
+        Source::State(group, component) => {
+            names.entry(&names.number, places.state(group, component), code);
+        }
+        Source::Limit => code.stream(quote!(T::from_f64(T::CORRECTION_LIMIT))),
+        Source::Mode(mode) => {
+            let (modes, mode) = (&names.modes, literal::index(mode));
+            code.stream(quote!(T::from_f64(#runtime::AssemblyMode::sign(#modes[#mode]))));
+        }
+        Source::Centre(angle) => {
+            let angle = literal::index(angle);
+            code.stream(quote!(__turns.centres[#angle]));
+        }
+        Source::Winding(angle, input) => {
+            let (angle, input) = (literal::index(angle), literal::index(input));
+            code.stream(quote!(__turns.windings[#angle][#input]));
+        }
+        Source::Prepared(slot) => names.entry(&names.prepared, slot, code),
+        Source::Carried(index) => names.entry(&names.kept, taken[index], code),
     }
 }

@@ -5,6 +5,7 @@ use std::collections::BTreeSet;
 use proc_macro2::{Ident, Span, TokenStream};
 use quote::{format_ident, quote};
 
+use super::code::joined;
 use super::docs::{self, doc, documented, tokens, with_note};
 use super::outline::{Component, Outline, Parameter, plain};
 use super::spanned::aside;
@@ -13,9 +14,7 @@ use linkage_compiler::ir::in_degrees;
 
 /// The default of the struct and its conversions.
 pub(super) fn items(outline: &Outline) -> TokenStream {
-    let mut items = default(outline);
-    items.extend(conversions(outline));
-    items
+    joined([default(outline), conversions(outline)])
 }
 
 /// The struct.

@@ -5,6 +5,7 @@ use std::borrow::Cow;
 use proc_macro2::{Ident, Span, TokenStream};
 use quote::{format_ident, quote};
 
+use super::code::Code;
 use super::spanned::aside;
 use super::{count, docs, drawing};
 use linkage_compiler::ir::{self, CompiledMechanism};
@@ -17,10 +18,10 @@ use linkage_language::syntax::{
 #[derive(Clone)]
 pub(super) struct Outline<'a> {
     /// `$crate::__private`
-    pub facade: TokenStream,
+    pub facade: Code,
     /// The runtime in the scope that is printed: the facade, or its short name in the block around
     /// code.
-    pub runtime: TokenStream,
+    pub runtime: Code,
     pub attributes: &'a [Attribute],
     pub visibility: &'a TokenStream,
     pub name: &'a Ident,
@@ -170,8 +171,8 @@ impl<'a> Outline<'a> {
     /// An outline without any parameter, input or function.
     pub(super) fn empty(krate: &TokenStream, def: &'a MechanismDef) -> Self {
         Self {
-            facade: quote!(#krate::__private),
-            runtime: quote!(__p),
+            facade: quote!(#krate::__private).into(),
+            runtime: quote!(__p).into(),
             attributes: &def.attributes,
             visibility: &def.visibility,
             name: &def.name,

@@ -130,16 +130,12 @@ impl Staged<'_> {
         let load = stage_loader(outline, &places, taken);
         let statements = body::statements(program, *runs, &load);
         let (next, finished) = program.outputs.split_at(kept.len());
-        let put = |method: &str, values: &[Value], indices: &[usize]| -> TokenStream {
-            let method = format_ident!("{method}");
-            let puts = values.iter().zip(indices).map(|(&value, &index)| {
-                let (value, index) = (body::name(value), literal::index(index));
-                quote!(__row.#method(#index, #value);)
-            });
-            puts.collect()
+        let put = |method: TokenStream, values: &[Value], numbers: &[usize]| {
+            let values = numbers.iter().copied().zip(values.iter().copied());
+            body::puts(method, values)
         };
-        let keep = put("keep", next, kept);
-        let finish = put("finish", finished, results);
+        let keep = put(quote!(__row.keep), next, kept);
+        let finish = put(quote!(__row.finish), finished, results);
         let written = results.iter().map(|&result| literal::index(result));
         let write = (!results.is_empty()).then(|| {
             quote! {

@@ -1,7 +1,7 @@
 //! Programs on plain numbers, which close the loops at compile time and are the oracle for
 //! generated code, and on numbers of any other arithmetic.
 
-use crate::program::{Binary, Fused, Instruction, Program, Source, Ternary, Unary, Value};
+use crate::program::{Binary, Fused, Instruction, Program, Source, Ternary, Unary};
 
 /// The effect of instructions on numbers.
 pub trait Arithmetic {
@@ -75,7 +75,8 @@ pub fn run_by<A: Arithmetic>(
         .collect()
 }
 
-/// Runs the instructions `from..to`; `values` holds the results of those before.
+/// Runs the instructions `from..to`; `values` holds the results of those before, and afterwards of
+/// those up to `to`.
 pub fn run_steps(
     program: &Program,
     from: usize,
@@ -94,22 +95,28 @@ fn steps<A: Arithmetic>(
     values: &mut Vec<A::Number>,
     load: impl Fn(Source) -> A::Number,
 ) {
-    values.truncate(from);
-    for instruction in &program.instructions[from..to] {
-        let of = |value: Value| values[value.0];
-        let value = match *instruction {
+    values.resize(to, A::constant(0.0));
+    // Slices: an index of a list is a call where nothing is optimised.
+    let (instructions, numbers) = (&program.instructions[..], &mut values[..]);
+    let mut index = from;
+    while index < to {
+        numbers[index] = match instructions[index] {
             Instruction::Constant(x) => A::constant(x),
             Instruction::Load(source) => load(source),
-            Instruction::Unary(op, a) => A::unary(op, of(a)),
-            Instruction::Binary(op, a, b) => A::binary(op, of(a), of(b)),
-            Instruction::Ternary(op, a, b, c) => A::ternary(op, of(a), of(b), of(c)),
-            Instruction::Fused(op, a, b, c) => A::fused(op, of(a), of(b), of(c)),
-            Instruction::SinCos(a) => A::unary(Unary::Sin, of(a)),
-            Instruction::Second(pair) => match program.instructions[pair.0] {
-                Instruction::SinCos(a) => A::unary(Unary::Cos, of(a)),
+            Instruction::Unary(op, a) => A::unary(op, numbers[a.0]),
+            Instruction::Binary(op, a, b) => A::binary(op, numbers[a.0], numbers[b.0]),
+            Instruction::Ternary(op, a, b, c) => {
+                A::ternary(op, numbers[a.0], numbers[b.0], numbers[c.0])
+            }
+            Instruction::Fused(op, a, b, c) => {
+                A::fused(op, numbers[a.0], numbers[b.0], numbers[c.0])
+            }
+            Instruction::SinCos(a) => A::unary(Unary::Sin, numbers[a.0]),
+            Instruction::Second(pair) => match instructions[pair.0] {
+                Instruction::SinCos(a) => A::unary(Unary::Cos, numbers[a.0]),
                 _ => unreachable!("nothing else has two results"),
             },
         };
-        values.push(value);
+        index += 1;
     }
 }

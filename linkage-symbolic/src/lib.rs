@@ -16,6 +16,7 @@ mod expression;
 mod graph;
 pub mod interpret;
 pub mod lookup;
+mod operands;
 mod operation;
 pub mod passes;
 pub mod program;

@@ -4,196 +4,23 @@
 //! through entries takes a `BTreeMap`, a `Vec`, or sorts a list of keys. `clippy.toml` forbids the
 //! tables of the standard library.
 //!
-//! The hasher is that of rustc, fast for the small keys of a graph and the same in every run. An
-//! attacker who chooses colliding keys slows down only the build.
+//! The macro runs without optimisation in dev builds of its users. The tables are therefore short
+//! code that calls little: entries in a list, and their numbers in an array that is searched from
+//! the slot of the hash on. An attacker who chooses colliding keys slows down only the build.
 
-use std::borrow::Borrow;
-use std::collections::hash_map::Entry;
-use std::hash::Hash;
-use std::ops::Index;
+mod hash;
+mod map;
+mod set;
 
-use rustc_hash::{FxHashMap, FxHashSet};
-
-/// A map that answers questions about keys, and about nothing else.
-#[derive(Clone, Debug)]
-pub struct Map<K, V>(FxHashMap<K, V>);
-
-impl<K: Eq + Hash, V> Map<K, V> {
-    /// An empty map.
-    #[must_use]
-    pub fn new() -> Self {
-        Self::default()
-    }
-
-    /// The value of a key.
-    pub fn get<Q: Eq + Hash + ?Sized>(&self, key: &Q) -> Option<&V>
-    where
-        K: Borrow<Q>,
-    {
-        self.0.get(key)
-    }
-
-    /// The value of a key, to be changed.
-    pub fn get_mut<Q: Eq + Hash + ?Sized>(&mut self, key: &Q) -> Option<&mut V>
-    where
-        K: Borrow<Q>,
-    {
-        self.0.get_mut(key)
-    }
-
-    /// Returns true if a key has a value.
-    pub fn contains_key<Q: Eq + Hash + ?Sized>(&self, key: &Q) -> bool
-    where
-        K: Borrow<Q>,
-    {
-        self.0.contains_key(key)
-    }
-
-    /// Gives a key a value; the result is its old one.
-    pub fn insert(&mut self, key: K, value: V) -> Option<V> {
-        self.0.insert(key, value)
-    }
-
-    /// The place of a key, with a value or without.
-    pub fn entry(&mut self, key: K) -> Entry<'_, K, V> {
-        self.0.entry(key)
-    }
-
-    /// Takes the value of a key away.
-    pub fn remove<Q: Eq + Hash + ?Sized>(&mut self, key: &Q) -> Option<V>
-    where
-        K: Borrow<Q>,
-    {
-        self.0.remove(key)
-    }
-
-    /// The number of keys.
-    #[must_use]
-    pub fn len(&self) -> usize {
-        self.0.len()
-    }
-
-    /// Returns true if there is no key.
-    #[must_use]
-    pub fn is_empty(&self) -> bool {
-        self.0.is_empty()
-    }
-
-    /// Takes all values away.
-    pub fn clear(&mut self) {
-        self.0.clear();
-    }
-}
-
-impl<K, V> Default for Map<K, V> {
-    fn default() -> Self {
-        Self(FxHashMap::default())
-    }
-}
-
-impl<K: Eq + Hash + Borrow<Q>, V, Q: Eq + Hash + ?Sized> Index<&Q> for Map<K, V> {
-    type Output = V;
-
-    /// The value of a key that has one.
-    fn index(&self, key: &Q) -> &V {
-        &self.0[key]
-    }
-}
-
-impl<K: Eq + Hash, V> Extend<(K, V)> for Map<K, V> {
-    fn extend<I: IntoIterator<Item = (K, V)>>(&mut self, pairs: I) {
-        self.0.extend(pairs);
-    }
-}
-
-impl<K: Eq + Hash, V> FromIterator<(K, V)> for Map<K, V> {
-    fn from_iter<I: IntoIterator<Item = (K, V)>>(pairs: I) -> Self {
-        Self(pairs.into_iter().collect())
-    }
-}
-
-impl<K: Eq + Hash, V, const N: usize> From<[(K, V); N]> for Map<K, V> {
-    fn from(pairs: [(K, V); N]) -> Self {
-        pairs.into_iter().collect()
-    }
-}
-
-/// A set that can be asked for a value, and for nothing else.
-#[derive(Clone, Debug)]
-pub struct Set<T>(FxHashSet<T>);
-
-impl<T: Eq + Hash> Set<T> {
-    /// An empty set.
-    #[must_use]
-    pub fn new() -> Self {
-        Self::default()
-    }
-
-    /// Returns true if a value is in the set.
-    pub fn contains<Q: Eq + Hash + ?Sized>(&self, value: &Q) -> bool
-    where
-        T: Borrow<Q>,
-    {
-        self.0.contains(value)
-    }
-
-    /// Puts something into the set; true if it was not there.
-    pub fn insert(&mut self, value: T) -> bool {
-        self.0.insert(value)
-    }
-
-    /// Takes something out of the set; true if it was there.
-    pub fn remove<Q: Eq + Hash + ?Sized>(&mut self, value: &Q) -> bool
-    where
-        T: Borrow<Q>,
-    {
-        self.0.remove(value)
-    }
-
-    /// Returns the number of values.
-    #[must_use]
-    pub fn len(&self) -> usize {
-        self.0.len()
-    }
-
-    /// Returns true if the set is empty.
-    #[must_use]
-    pub fn is_empty(&self) -> bool {
-        self.0.is_empty()
-    }
-
-    /// Takes everything out of the set.
-    pub fn clear(&mut self) {
-        self.0.clear();
-    }
-}
-
-impl<T> Default for Set<T> {
-    fn default() -> Self {
-        Self(FxHashSet::default())
-    }
-}
-
-impl<T: Eq + Hash> Extend<T> for Set<T> {
-    fn extend<I: IntoIterator<Item = T>>(&mut self, values: I) {
-        self.0.extend(values);
-    }
-}
-
-impl<T: Eq + Hash> FromIterator<T> for Set<T> {
-    fn from_iter<I: IntoIterator<Item = T>>(values: I) -> Self {
-        Self(values.into_iter().collect())
-    }
-}
-
-impl<T: Eq + Hash, const N: usize> From<[T; N]> for Set<T> {
-    fn from(values: [T; N]) -> Self {
-        values.into_iter().collect()
-    }
-}
+pub use map::{Entry, Map};
+pub use set::Set;
 
 #[cfg(test)]
 mod tests {
+    use std::collections::BTreeMap;
+
+    use linkage_random::Random;
+
     use super::{Map, Set};
 
     #[test]
@@ -217,6 +44,26 @@ mod tests {
         assert_eq!(map.len(), 3);
         map.clear();
         assert!(map.is_empty());
+    }
+
+    /// Keys that share slots with others are found after any of these is taken away.
+    #[test]
+    fn a_map_has_the_values_that_a_list_has() {
+        let mut random = Random::new(7);
+        let mut map: Map<usize, u64> = Map::new();
+        let mut list: BTreeMap<usize, u64> = BTreeMap::new();
+        for _ in 0..20_000 {
+            let (key, value) = (random.below(50), random.bits());
+            match random.below(3) {
+                0 => assert_eq!(map.remove(&key), list.remove(&key)),
+                1 => assert_eq!(map.insert(key, value), list.insert(key, value)),
+                _ => assert_eq!(*map.entry(key).or_insert(value), {
+                    *list.entry(key).or_insert(value)
+                }),
+            }
+            let key = random.below(50);
+            assert_eq!((map.get(&key), map.len()), (list.get(&key), list.len()));
+        }
     }
 
     #[test]

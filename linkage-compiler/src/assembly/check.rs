@@ -47,8 +47,8 @@ pub(super) fn check_ranges<'m>(
     let mut ranges = Ranges {
         formulation,
         nominal,
+        program: reference.machine.whole(),
         reference,
-        values: Vec::new(),
     };
     let machine = &mut ranges.reference.machine;
     let needed = machine.closure.valued.clone();

@@ -89,7 +89,7 @@ impl AssembledPart {
         let steps = turns.fold(0.0, f64::max) * STEPS_OF_A_TURN;
         let steps = steps.ceil().clamp(1.0, STEPS);
         let mut found = self.nominal.estimates.clone();
-        let mut values = Vec::new();
+        let mut program = machine.whole();
         for step in 0..=steps as usize {
             let share = step as f64 / steps;
             let ways = from.iter().zip(inputs);
@@ -98,12 +98,12 @@ impl AssembledPart {
                 1.0 => inputs.to_vec(),
                 _ => ways.map(|(from, to)| from + share * (to - from)).collect(),
             };
-            machine.run(&mut values, &at);
+            machine.run_staged(&mut program, &at);
             for (numbers, unknown) in found.iter_mut().zip(&self.unknowns) {
                 let Some((output, is_angle)) = *unknown else {
                     continue;
                 };
-                let number = |k: usize| machine.output(&values, output + k);
+                let number = |k: usize| program.output(output + k);
                 let next: Vec<f64> = match is_angle {
                     true => vec![Ternary::AngleNear.apply([number(1), number(0), numbers[0]])],
                     false => (0..numbers.len()).map(number).collect(),

@@ -62,9 +62,11 @@ impl Numbers<'_> {
             }
             let rates = constant_ratio::candidate_rates(&algebra.names, input);
             let mut position = self.nominal.inputs.clone();
+            let mut direction = self.machine.staged(&self.direction);
             let found = follow(low, high, at, here, &rates, |x| {
                 position[input] = x;
-                self.direction(&position)
+                self.machine.run_staged(&mut direction, &position);
+                [direction.output(0), direction.output(1)]
             });
             let Some(winding) = found else {
                 return Some(Unfollowed { angle, input });

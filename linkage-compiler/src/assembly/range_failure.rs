@@ -192,8 +192,8 @@ impl<'m> Ranges<'_, 'm> {
             let mut angle = |ranges: &mut Self, x: f64, near: f64| {
                 inputs[at.input] = x;
                 let machine = &ranges.reference.machine;
-                machine.run(&mut ranges.values, &inputs);
-                let [cos, sin] = [output, output + 1].map(|k| machine.output(&ranges.values, k));
+                machine.run_staged(&mut ranges.program, &inputs);
+                let [cos, sin] = [output, output + 1].map(|k| ranges.program.output(k));
                 Ternary::AngleNear.apply([sin, cos, near])
             };
             let here = angle(self, from, estimate);

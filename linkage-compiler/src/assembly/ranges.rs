@@ -9,7 +9,7 @@ use crate::algebra::Nominal;
 use crate::model::Dimension;
 use crate::solve::Formulation;
 
-use crate::machine::Reference;
+use crate::machine::{Reference, StagedProgram};
 
 /// At this distance from a change point, in radians, the slack is positive on both sides.
 const BESIDE: f64 = 1e-3;
@@ -44,7 +44,8 @@ pub(super) struct Ranges<'a, 'm> {
     pub(super) formulation: &'a Formulation<'m>,
     pub(super) nominal: &'a Nominal,
     pub(super) reference: &'a mut Reference,
-    pub(super) values: Vec<f64>,
+    /// The whole program of the machine.
+    pub(super) program: StagedProgram,
 }
 
 impl Ranges<'_, '_> {
@@ -52,10 +53,10 @@ impl Ranges<'_, '_> {
     /// mechanism works.
     pub(super) fn slack(&mut self, inputs: &[f64]) -> (f64, usize) {
         let machine = &self.reference.machine;
-        machine.run(&mut self.values, inputs);
+        machine.run_staged(&mut self.program, inputs);
         let mut worst = (f64::INFINITY, 0);
         for (group, stage) in machine.closure.groups.iter().enumerate() {
-            let slack = self.reference.scales[group] * machine.output(&self.values, stage.slack);
+            let slack = self.reference.scales[group] * self.program.output(stage.slack);
             if slack.is_nan() {
                 // A group before this one has come apart; that one counts.
                 return if worst.0 <= 0.0 {
@@ -129,11 +130,9 @@ impl Ranges<'_, '_> {
         let mut miss = |ranges: &mut Self, share: f64| {
             inputs[at.input] = from + (end - from) * share;
             let machine = &ranges.reference.machine;
-            machine.run(&mut ranges.values, &inputs);
-            machine.output(
-                &ranges.values,
-                machine.closure.groups[at.dead_point.group].gap,
-            )
+            machine.run_staged(&mut ranges.program, &inputs);
+            let gap = machine.closure.groups[at.dead_point.group].gap;
+            ranges.program.output(gap)
         };
         let step = 1.0 / MISSES as f64;
         let mut worst = (0.0, 0.0);

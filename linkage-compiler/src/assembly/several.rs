@@ -53,8 +53,8 @@ impl Ranges<'_, '_> {
             let mut within = Ranges {
                 formulation: self.formulation,
                 nominal: &narrower,
+                program: self.reference.machine.whole(),
                 reference: &mut *self.reference,
-                values: Vec::new(),
             };
             let fails = within.grid_failure(declared).is_some();
             (!fails).then_some(narrower)

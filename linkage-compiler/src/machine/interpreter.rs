@@ -193,10 +193,22 @@ impl Machine {
         }
     }
 
-    /// All values at given inputs.
-    pub(crate) fn run(&self, values: &mut Vec<f64>, inputs: &[f64]) {
-        values.clear();
-        self.advance(values, 0, self.closure.program.instructions.len(), inputs);
+    /// Returns the whole program, to be run at many positions of this assembly.
+    pub(crate) fn whole(&self) -> StagedProgram {
+        self.staged(&self.closure.program)
+    }
+
+    /// Returns a part of the program, to be run at many positions of this assembly.
+    pub(crate) fn staged(&self, part: &Program) -> StagedProgram {
+        StagedProgram::new(part, None)
+    }
+
+    /// Runs a program at given inputs. Dimensions and assembly are those of its runs before.
+    pub(crate) fn run_staged(&self, program: &mut StagedProgram, inputs: &[f64]) {
+        let states = || self.states(inputs);
+        program.run(inputs, states, |source, states| {
+            self.load(source, inputs, states)
+        });
     }
 
     /// Returns the part of the program that computes some of its outputs.

@@ -16,3 +16,4 @@ pub(crate) use numbers::Numbers;
 pub(crate) use other_inputs::other_inputs;
 pub(crate) use perturbed::{ALTERATIONS, altered, scattered};
 pub(crate) use reference::{AtReference, Reference};
+pub(crate) use staged::StagedProgram;

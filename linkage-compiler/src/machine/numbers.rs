@@ -59,7 +59,7 @@ impl Correction for Numbers<'_> {
         let number = self.number;
         let step = self
             .step
-            .get_or_insert_with(|| StagedProgram::new(program, number));
+            .get_or_insert_with(|| StagedProgram::new(program, Some(number)));
         self.machine.run_step(number, step, &self.inputs, state);
         let mut outputs = step.outputs();
         for (number, next) in state.iter_mut().zip(&mut outputs) {

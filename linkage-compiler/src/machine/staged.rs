@@ -4,13 +4,13 @@
 use linkage_symbolic::interpret::run_steps;
 use linkage_symbolic::program::{Instruction, Program, Source, Value};
 
-/// A step of a coupled group whose instructions are in the order of their stages.
+/// A program whose instructions are in the order of their stages.
 #[derive(Clone, Debug)]
-pub(super) struct StagedProgram {
+pub(crate) struct StagedProgram {
     program: Program,
     /// The number of instructions that depend on parameters only.
     fixed: usize,
-    /// The number of instructions that do not depend on the group's state.
+    /// The number of instructions that do not depend on the state of the group.
     at_inputs: usize,
     /// The values so far; empty before the first run.
     values: Vec<f64>,
@@ -21,12 +21,12 @@ pub(super) struct StagedProgram {
 }
 
 impl StagedProgram {
-    /// Divides a program of the coupled group `number`.
-    pub(super) fn new(program: &Program, number: usize) -> Self {
+    /// Divides a step of the coupled group `number`, or a program of no such group.
+    pub(super) fn new(program: &Program, number: Option<usize>) -> Self {
         let mut stages: Vec<usize> = Vec::with_capacity(program.instructions.len());
         for instruction in &program.instructions {
             let loaded = match instruction {
-                Instruction::Load(Source::State(group, _)) if *group == number => 2,
+                Instruction::Load(Source::State(group, _)) if Some(*group) == number => 2,
                 Instruction::Load(Source::State(..) | Source::Input(_)) => 1,
                 _ => 0,
             };
@@ -85,6 +85,11 @@ impl StagedProgram {
         });
     }
 
+    /// Returns one result of the last run.
+    pub(crate) fn output(&self, output: usize) -> f64 {
+        self.values[self.program.outputs[output].0]
+    }
+
     /// Returns the results of the last run.
     pub(super) fn outputs(&self) -> impl Iterator<Item = f64> + '_ {
         let outputs = self.program.outputs.iter();
@@ -126,7 +131,7 @@ mod tests {
             Source::Input(_) => x,
             _ => 0.7,
         };
-        let mut staged = StagedProgram::new(&program, 1);
+        let mut staged = StagedProgram::new(&program, Some(1));
         assert_eq!([staged.fixed, staged.at_inputs], [2, 7]);
         for (x, state) in [(0.3, 1.0), (0.3, 2.0), (0.4, 2.0), (0.3, 2.0), (0.3, 1.0)] {
             staged.run(

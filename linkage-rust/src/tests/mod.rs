@@ -106,7 +106,7 @@ fn sine_and_cosine_share_a_call() {
         }
         program.outputs = outputs.iter().map(|&k| Value(k)).collect();
         assert_eq!(Count::of_program(&program).sin_cos, 1);
-        body::statements(&program, Runs::Once, &|_| quote!(x)).to_string()
+        body::statements(&program, Runs::Once, &|_, code| code.word("x")).to_string()
     };
     let both = quote!(let __v0 = x; let (__v1, __v2) = T::sin_cos_with::<__FUSED>(__v0););
     assert_eq!(printed(true, &[1, 2]), both.to_string());

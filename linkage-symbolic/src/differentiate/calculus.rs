@@ -44,13 +44,17 @@ pub fn differentiate<'g, C: Calculus<'g> + ?Sized>(
         let node = graph.node(id);
         let waiting = stack.len();
         let known = graph.known_slope(id);
-        let operands = match known {
-            Some((argument, _)) => vec![argument],
-            None => node.operands().collect(),
-        };
-        for operand in operands {
+        let mut wait_for = |operand: NodeId| {
             if !calculus.memo().contains_key(&(operand, variable)) {
                 stack.push(operand);
+            }
+        };
+        match known {
+            Some((argument, _)) => wait_for(argument),
+            None => {
+                for operand in node.operands() {
+                    wait_for(operand);
+                }
             }
         }
         if stack.len() > waiting {

@@ -30,7 +30,11 @@ pub(crate) fn rebuild(
     node: Node,
     new: impl Fn(NodeId) -> NodeId,
 ) -> NodeId {
-    if node.operands().all(|x| new(x) == x) {
+    let mut same = true;
+    for operand in node.operands() {
+        same &= new(operand) == operand;
+    }
+    if same {
         return id;
     }
     match node {

@@ -14,9 +14,3 @@ pub(crate) fn meaning(graph: &Graph, node: Node) -> (Option<NodeId>, Option<Sour
     let symbol = store.symbol(symbol);
     (symbol.definition, symbol.source)
 }
-
-/// Returns the nodes that must be known before `id`: its operands, or the definition of a symbol.
-pub(crate) fn dependencies(graph: &Graph, id: NodeId) -> impl Iterator<Item = NodeId> + use<> {
-    let node = graph.node(id);
-    node.operands().chain(meaning(graph, node).0)
-}

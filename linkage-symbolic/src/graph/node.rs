@@ -1,14 +1,17 @@
 //! Nodes and symbols of the graph.
 
+use std::hash::{Hash, Hasher};
+
 use super::binding::{Binding, Source};
+use crate::operands::Operands;
 use crate::operation::{Binary, Ternary, Unary};
 
 /// Index of a node; children have smaller indices than their parents.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub struct NodeId(pub(crate) u32);
 
 /// Index of a symbol.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub struct SymbolId(pub(crate) u32);
 
 impl NodeId {
@@ -26,7 +29,7 @@ impl SymbolId {
 }
 
 /// One operation. Constants are kept by their bits so that nodes can be hashed.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Node {
     /// A number's bits.
     Constant(u64),
@@ -40,16 +43,48 @@ pub enum Node {
     Ternary(Ternary, NodeId, NodeId, NodeId),
 }
 
+// Words as hashes take them: what is derived takes two calls more for each of many look-ups.
+impl Hash for NodeId {
+    fn hash<H: Hasher>(&self, state: &mut H) {
+        state.write_u64(self.0 as u64);
+    }
+}
+
+impl Hash for SymbolId {
+    fn hash<H: Hasher>(&self, state: &mut H) {
+        state.write_u64(self.0 as u64);
+    }
+}
+
+impl Hash for Node {
+    /// Two words instead of one for each part: the graph looks up every operation that is made.
+    fn hash<H: Hasher>(&self, state: &mut H) {
+        let (first, second) = match *self {
+            Self::Constant(bits) => (0, bits),
+            Self::Symbol(symbol) => (1, symbol.0 as u64),
+            Self::Unary(op, a) => (2 | (op as u64) << 8, a.0 as u64),
+            Self::Binary(op, a, b) => (3 | (op as u64) << 8, (a.0 as u64) << 32 | b.0 as u64),
+            Self::Ternary(op, a, b, c) => {
+                let first = 4 | (op as u64) << 8 | (a.0 as u64) << 32;
+                (first, (b.0 as u64) << 32 | c.0 as u64)
+            }
+        };
+        state.write_u64(first);
+        state.write_u64(second);
+    }
+}
+
 impl Node {
     /// The operands, in order.
-    pub fn operands(&self) -> impl Iterator<Item = NodeId> + use<> {
-        let list = match *self {
-            Node::Constant(_) | Node::Symbol(_) => [None; 3],
-            Node::Unary(_, a) => [Some(a), None, None],
-            Node::Binary(_, a, b) => [Some(a), Some(b), None],
-            Node::Ternary(_, a, b, c) => [Some(a), Some(b), Some(c)],
+    pub fn operands(&self) -> Operands<NodeId> {
+        let none = NodeId(0);
+        let (list, count) = match *self {
+            Node::Constant(_) | Node::Symbol(_) => ([none; 3], 0),
+            Node::Unary(_, a) => ([a, none, none], 1),
+            Node::Binary(_, a, b) => ([a, b, none], 2),
+            Node::Ternary(_, a, b, c) => ([a, b, c], 3),
         };
-        list.into_iter().flatten()
+        Operands::new(list, count)
     }
 }
 

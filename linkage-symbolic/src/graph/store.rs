@@ -1,9 +1,15 @@
 //! The contents of the graph.
 
+use std::cell::RefCell;
+
 use super::binding::{Binding, Source};
+use super::marks::Marks;
 use super::node::{Node, NodeId, Symbol, SymbolId};
 use super::vectors::Vectors;
 use crate::lookup::{Map, Set};
+
+/// Among so many nodes for each one that is looked for, these are put in order by going through all.
+const DENSE: usize = 16;
 
 /// A flat arena of operations. Equal operations are one node.
 #[derive(Clone, Debug, Default)]
@@ -20,6 +26,8 @@ pub(crate) struct Store {
     with_sine: Set<SymbolId>,
     /// The number of definitions that were exchanged for another.
     revision: usize,
+    /// The nodes that the present walk has seen.
+    marks: RefCell<Marks>,
     /// Known facts about vectors.
     pub(crate) vectors: Vectors,
     /// Known slopes of nodes: the argument, and the slope with respect to it.
@@ -34,17 +42,21 @@ impl Store {
 
     /// The operation of a node.
     pub(crate) fn node(&self, id: NodeId) -> Node {
-        self.nodes[id.index()]
+        // A slice: an index of a list is two calls more where nothing is optimised.
+        let nodes: &[Node] = &self.nodes;
+        nodes[id.0 as usize]
     }
 
     /// When a node's value is known.
     pub(crate) fn binding(&self, id: NodeId) -> Binding {
-        self.bindings[id.index()]
+        let bindings: &[Binding] = &self.bindings;
+        bindings[id.0 as usize]
     }
 
     /// Returns true for a node that is no negative number for any operands; it may be -0, or NaN.
     pub(crate) fn is_never_negative(&self, id: NodeId) -> bool {
-        self.never_negative[id.index()]
+        let never_negative: &[bool] = &self.never_negative;
+        never_negative[id.0 as usize]
     }
 
     /// A number.
@@ -161,11 +173,13 @@ impl Store {
         let binding = match node {
             Node::Constant(_) => Binding::Constant,
             Node::Symbol(symbol) => self.symbols[symbol.index()].binding,
-            _ => node
-                .operands()
-                .map(|o| self.binding(o))
-                .max()
-                .unwrap_or(Binding::Constant),
+            _ => {
+                let mut latest = Binding::Constant;
+                for operand in node.operands() {
+                    latest = latest.max(self.binding(operand));
+                }
+                latest
+            }
         };
         let never_negative = self.makes_no_negative(node);
         let id = NodeId(self.nodes.len() as u32);
@@ -179,30 +193,51 @@ impl Store {
     /// All nodes that `roots` are made of, roots included, children first, without following
     /// definitions.
     pub(crate) fn reachable(&self, roots: &[NodeId]) -> Vec<NodeId> {
-        let mut seen = vec![false; self.len()];
-        let mut stack: Vec<NodeId> = roots.to_vec();
+        let mut seen = self.marks.borrow_mut();
+        seen.begin(self.len());
+        let mut open: Vec<NodeId> = roots.to_vec();
         let mut found = Vec::new();
-        while let Some(id) = stack.pop() {
-            if std::mem::replace(&mut seen[id.index()], true) {
+        let (mut first, mut end) = (self.len(), 0);
+        while let Some(id) = open.pop() {
+            if !seen.mark(id) {
                 continue;
             }
+            let index = id.index();
+            first = first.min(index);
+            end = end.max(index + 1);
             found.push(id);
-            stack.extend(self.node(id).operands());
+            for operand in self.node(id).operands() {
+                if !seen.has(operand) {
+                    open.push(operand);
+                }
+            }
         }
-        found.sort_unstable();
+        if found.len() < end.saturating_sub(first) / DENSE {
+            found.sort_unstable();
+            return found;
+        }
+        found.clear();
+        while first < end {
+            let id = NodeId(first as u32);
+            if seen.has(id) {
+                found.push(id);
+            }
+            first += 1;
+        }
         found
     }
 
     /// True if `root` is `part` or computed from it, without following definitions.
     pub(crate) fn contains(&self, root: NodeId, part: NodeId) -> bool {
-        let mut seen = Set::new();
+        let mut seen = self.marks.borrow_mut();
+        seen.begin(self.len());
         let mut open = vec![root];
         while let Some(id) = open.pop() {
             if id == part {
                 return true;
             }
             // Operands stand before their operations: nothing below `part` can contain it.
-            if id > part && seen.insert(id) {
+            if id > part && seen.mark(id) {
                 open.extend(self.node(id).operands());
             }
         }
@@ -211,17 +246,21 @@ impl Store {
 
     /// The symbols that `roots` are made of, in order, without following definitions.
     pub(crate) fn symbols_of(&self, roots: &[NodeId]) -> Vec<SymbolId> {
-        // Most are asked of small expressions in a large graph: nothing here is as long as that.
-        let mut seen = Set::new();
+        let mut seen = self.marks.borrow_mut();
+        seen.begin(self.len());
         let mut stack: Vec<NodeId> = roots.to_vec();
         let mut symbols = Vec::new();
         while let Some(id) = stack.pop() {
-            if !seen.insert(id) {
+            if !seen.mark(id) {
                 continue;
             }
             match self.node(id) {
                 Node::Symbol(symbol) => symbols.push(symbol),
-                node => stack.extend(node.operands()),
+                node => {
+                    for operand in node.operands() {
+                        stack.push(operand);
+                    }
+                }
             }
         }
         symbols.sort_unstable();

@@ -8,7 +8,8 @@ use crate::operation::{Binary, Ternary, Unary};
 impl Store {
     /// True for the constant 0.
     pub(crate) fn is_zero(&self, id: NodeId) -> bool {
-        self.constant_value(id) == Some(0.0)
+        // There is no constant -0.
+        matches!(self.node(id), Node::Constant(0))
     }
 
     /// True for the constant 1.

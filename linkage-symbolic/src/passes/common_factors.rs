@@ -15,7 +15,7 @@ use std::collections::BTreeMap;
 use crate::lookup::Map;
 
 use crate::expression::rebuild;
-use crate::graph::{Binding, Graph, Node, NodeId};
+use crate::graph::{Binding, Graph, Node, NodeId, NodeNumbers};
 use crate::program::{Binary, Unary};
 
 /// A product as a number and its other factors in order; the number is never 0.
@@ -53,20 +53,20 @@ pub fn share_common_factors(graph: &Graph, outputs: &[NodeId]) -> Vec<NodeId> {
     if multiples.is_empty() {
         return outputs.to_vec();
     }
-    let mut renewed: Map<NodeId, NodeId> = Map::new();
+    let mut renewed = NodeNumbers::new(graph.len());
     for id in reachable {
         let node = graph.node(id);
         let new = match multiples.get(&id) {
-            None => rebuild(graph, id, node, |x| renewed[&x]),
+            None => rebuild(graph, id, node, |x| renewed.node(x)),
             Some((first, ratio)) => {
                 // It may stand behind its multiple, but both are made of the same.
                 let sum = renew_sum(graph, *first, &renewed);
                 ratio.times(graph, sum)
             }
         };
-        renewed.insert(id, new);
+        renewed.set(id, new.index());
     }
-    outputs.iter().map(|output| renewed[output]).collect()
+    outputs.iter().map(|output| renewed.node(*output)).collect()
 }
 
 /// A sum of two terms of factors known early and values known late, as a base and its multiple.
@@ -164,13 +164,13 @@ impl Factors {
 }
 
 /// A sum of two terms of renewed values.
-fn renew_sum(graph: &Graph, id: NodeId, renewed: &Map<NodeId, NodeId>) -> NodeId {
+fn renew_sum(graph: &Graph, id: NodeId, renewed: &NodeNumbers) -> NodeId {
     let Node::Binary(op, a, b) = graph.node(id) else {
         unreachable!("a sum");
     };
     let [a, b] = [a, b].map(|term| {
         let (p, x) = graph.store().product(term).expect("a term");
-        graph.mul(p, renewed[&x])
+        graph.mul(p, renewed.node(x))
     });
     graph.binary(op, a, b)
 }

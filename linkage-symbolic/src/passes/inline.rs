@@ -1,7 +1,6 @@
 //! Removes definitions: each unknown is replaced by the expression that it is computed from.
 
-use crate::graph::{Graph, Node, NodeId, dependencies};
-use crate::lookup::Map;
+use crate::graph::{Graph, Node, NodeId, NodeNumbers, meaning};
 
 /// Copies nodes of one graph into another without definitions, simplifying again: factors of a
 /// link's length that cancel against the solution for that link do so here.
@@ -9,7 +8,7 @@ use crate::lookup::Map;
 pub struct Inliner {
     /// The plain graph: its symbols all have sources.
     pub target: Graph,
-    copied: Map<NodeId, NodeId>,
+    copied: NodeNumbers,
     /// The revision of the source: copies under other definitions are useless.
     revision: usize,
 }
@@ -20,34 +19,41 @@ impl Inliner {
     /// one node of the target.
     pub fn copy(&mut self, source: &Graph, root: NodeId) -> NodeId {
         if self.revision != source.revision() {
-            self.copied.clear();
+            self.copied = NodeNumbers::default();
             self.revision = source.revision();
         }
+        self.copied.cover(source.len());
         let mut stack = vec![root];
         while let Some(&id) = stack.last() {
-            if self.copied.contains_key(&id) {
+            if self.copied.has(id) {
                 stack.pop();
                 continue;
             }
             let waiting = stack.len();
-            for below in dependencies(source, id) {
-                if !self.copied.contains_key(&below) {
+            let node = source.node(id);
+            for below in node.operands() {
+                if !self.copied.has(below) {
                     stack.push(below);
                 }
+            }
+            if let (Some(below), _) = meaning(source, node)
+                && !self.copied.has(below)
+            {
+                stack.push(below);
             }
             if stack.len() > waiting {
                 continue;
             }
             let copy = self.build(source, id);
-            self.copied.insert(id, copy);
+            self.copied.set(id, copy.index());
             stack.pop();
         }
-        self.copied[&root]
+        self.copied.node(root)
     }
 
     fn build(&mut self, source: &Graph, id: NodeId) -> NodeId {
         let target = &self.target;
-        let new = |x: NodeId| self.copied[&x];
+        let new = |x: NodeId| self.copied.node(x);
         match source.node(id) {
             Node::Constant(bits) => target.constant(f64::from_bits(bits)),
             Node::Symbol(symbol) => {

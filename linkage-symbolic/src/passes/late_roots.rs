@@ -7,14 +7,18 @@
 //! before.
 
 use crate::expression::rebuild_shared;
-use crate::graph::{Binding, Graph, Node, NodeId};
+use crate::graph::{Binding, Graph, Node, NodeId, NodeNumbers};
 use crate::lookup::Map;
 use crate::program::{Binary, Ternary, Unary};
 
 /// The values `outputs` with less behind each root: turned before it, then summed before it, too.
 pub fn late_roots(graph: &Graph, outputs: &[NodeId]) -> [Vec<NodeId>; 2] {
-    let turned = rewritten(graph, outputs, |view, id, new| view.turned_before(id, new));
-    let added = rewritten(graph, &turned, |view, id, new| view.added_before(id, new));
+    let mut view = View::new(graph, outputs);
+    let turned = rewritten(&view, outputs, |view, id, new| view.turned_before(id, new));
+    if turned != outputs {
+        view = View::new(graph, &turned);
+    }
+    let added = rewritten(&view, &turned, |view, id, new| view.added_before(id, new));
     [turned, added]
 }
 
@@ -22,19 +26,21 @@ type Renewed<'a> = &'a dyn Fn(NodeId) -> NodeId;
 
 /// Rewrites nodes that `rewrite` has another form for, which it makes of renewed operands.
 fn rewritten(
-    graph: &Graph,
+    view: &View,
     outputs: &[NodeId],
     rewrite: impl Fn(&View, NodeId, Renewed) -> Option<NodeId>,
 ) -> Vec<NodeId> {
-    let view = View::new(graph, outputs);
-    let mut renewed: Map<NodeId, NodeId> = Map::new();
-    for id in graph.reachable(outputs) {
-        let new = |x: NodeId| renewed[&x];
-        let node = rewrite(&view, id, &new);
-        let node = node.unwrap_or_else(|| rebuild_shared(graph, id, graph.node(id), new));
-        renewed.insert(id, node);
+    let graph = view.graph;
+    let mut renewed = NodeNumbers::new(graph.len());
+    for &id in &view.nodes {
+        let new = |x: NodeId| renewed.node(x);
+        let node = match rewrite(view, id, &new) {
+            Some(node) => node,
+            None => rebuild_shared(graph, id, graph.node(id), new),
+        };
+        renewed.set(id, node.index());
     }
-    outputs.iter().map(|output| renewed[output]).collect()
+    outputs.iter().map(|output| renewed.node(*output)).collect()
 }
 
 /// A product with a sign.
@@ -47,10 +53,12 @@ struct Product {
 /// Facts about the nodes below some outputs.
 struct View<'a> {
     graph: &'a Graph,
+    /// The nodes, operands first.
+    nodes: Vec<NodeId>,
     /// The operations on each node; an output is used once more.
     users: Map<NodeId, Vec<NodeId>>,
     /// The number of roots that each node waits for, one after the other.
-    roots: Map<NodeId, usize>,
+    roots: NodeNumbers,
     /// Sums of two products, by their factors in order.
     sums: Map<[[NodeId; 2]; 2], NodeId>,
 }
@@ -59,22 +67,24 @@ impl<'a> View<'a> {
     fn new(graph: &'a Graph, outputs: &[NodeId]) -> Self {
         let mut view = Self {
             graph,
+            nodes: graph.reachable(outputs),
             users: Map::new(),
-            roots: Map::new(),
+            roots: NodeNumbers::new(graph.len()),
             sums: Map::new(),
         };
-        for id in graph.reachable(outputs) {
+        for index in 0..view.nodes.len() {
+            let id = view.nodes[index];
             let node = graph.node(id);
             let is_root = matches!(
                 node,
                 Node::Ternary(Ternary::GuardedSqrt, ..) | Node::Unary(Unary::Sqrt, _)
             );
-            let before = node.operands().map(|x| view.roots[&x]).max();
-            view.roots
-                .insert(id, before.unwrap_or(0) + usize::from(is_root));
+            let mut before = 0;
             for operand in node.operands() {
+                before = before.max(view.waits_for(operand));
                 view.users.entry(operand).or_default().push(id);
             }
+            view.roots.set(id, before + usize::from(is_root));
             if let Some(sum) = view.two_products(id) {
                 view.sums.insert(key(sum.map(|item| item.factors)), id);
             }
@@ -86,7 +96,7 @@ impl<'a> View<'a> {
     }
 
     fn waits_for(&self, id: NodeId) -> usize {
-        self.roots[&id]
+        self.roots.get(id).unwrap_or(0)
     }
 
     fn used_once(&self, id: NodeId) -> bool {

@@ -10,6 +10,7 @@ mod cuts;
 use std::collections::{BTreeMap, BTreeSet};
 use std::ops::Range;
 
+use crate::lookup::Map;
 use crate::program::{Instruction, Program, Source, Value};
 
 /// A part of a program. Stages leave values for others in a shared memory, so a stage reads and
@@ -109,7 +110,7 @@ fn stage(
         range: range.clone(),
         program: Program::default(),
         taken: Vec::new(),
-        copies: BTreeMap::new(),
+        copies: Map::new(),
     };
     let operations: Vec<usize> = range
         .filter(|&index| !program.instructions[index].is_free())
@@ -150,7 +151,7 @@ struct Builder<'a> {
     /// Values of stages before that are needed here.
     taken: Vec<usize>,
     /// The positions of the values of the whole program in this one.
-    copies: BTreeMap<usize, Value>,
+    copies: Map<usize, Value>,
 }
 
 impl Builder<'_> {
@@ -163,10 +164,9 @@ impl Builder<'_> {
         let instruction = self.whole.instructions[value];
         let instruction = match self.range.contains(&value) || instruction.is_free() {
             true => {
-                let operands: Vec<Value> = instruction.operands().collect();
-                operands.iter().for_each(|operand| {
+                for operand in instruction.operands() {
                     self.copy(operand.0);
-                });
+                }
                 instruction.with_operands(|operand| self.copies[&operand.0])
             }
             false => {

@@ -97,8 +97,11 @@ pub fn chain(program: &Program) -> u32 {
 pub(crate) fn arrival_times(program: &Program) -> Vec<u32> {
     let mut known: Vec<u32> = Vec::with_capacity(program.instructions.len());
     for instruction in &program.instructions {
-        let latest = instruction.operands().map(|x| known[x.0]).max();
-        known.push(latest.unwrap_or(0) + instruction.latency());
+        let mut latest = 0;
+        for operand in instruction.operands() {
+            latest = latest.max(known[operand.0]);
+        }
+        known.push(latest + instruction.latency());
     }
     known
 }

@@ -1,6 +1,7 @@
 //! The instructions of programs.
 
 use crate::graph::Source;
+use crate::operands::Operands;
 use crate::operation::{Binary, Class, Fused, Ternary, Unary};
 
 /// The result of an earlier instruction, by its index.
@@ -31,14 +32,15 @@ pub enum Instruction {
 
 impl Instruction {
     /// The values that it needs.
-    pub fn operands(&self) -> impl Iterator<Item = Value> + use<> {
-        let operands = match *self {
-            Self::Constant(_) | Self::Load(_) => [None; 3],
-            Self::Unary(_, a) | Self::SinCos(a) | Self::Second(a) => [Some(a), None, None],
-            Self::Binary(_, a, b) => [Some(a), Some(b), None],
-            Self::Ternary(_, a, b, c) | Self::Fused(_, a, b, c) => [Some(a), Some(b), Some(c)],
+    pub fn operands(&self) -> Operands<Value> {
+        let none = Value(0);
+        let (list, count) = match *self {
+            Self::Constant(_) | Self::Load(_) => ([none; 3], 0),
+            Self::Unary(_, a) | Self::SinCos(a) | Self::Second(a) => ([a, none, none], 1),
+            Self::Binary(_, a, b) => ([a, b, none], 2),
+            Self::Ternary(_, a, b, c) | Self::Fused(_, a, b, c) => ([a, b, c], 3),
         };
-        operands.into_iter().flatten()
+        Operands::new(list, count)
     }
 
     /// True for loads and constants: stages repeat them where they are needed and never carry them.

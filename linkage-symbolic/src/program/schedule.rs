@@ -1,7 +1,7 @@
 //! Slicing and ordering: from a plain graph to straight-line programs, split by when values are
 //! known.
 
-use crate::graph::{Binding, Graph, Node, NodeId};
+use crate::graph::{Binding, Graph, Node, NodeId, NodeNumbers};
 use crate::lookup::Map;
 use crate::program::{Binary, Instruction, Program, Source, Unary, Value};
 
@@ -32,7 +32,11 @@ impl Slots {
         while let Some(&id) = stack.last() {
             let node = source.node(id);
             let waiting = stack.len();
-            stack.extend(node.operands().filter(|x| !self.copied.contains_key(x)));
+            for operand in node.operands() {
+                if !self.copied.contains_key(&operand) {
+                    stack.push(operand);
+                }
+            }
             if stack.len() == waiting {
                 let copy = self.copy_operation(source, node);
                 self.copied.insert(id, copy);
@@ -100,7 +104,7 @@ struct Scheduler<'a> {
     /// Numbers the values of `assemble()`.
     slots: Option<&'a mut dyn FnMut(NodeId) -> usize>,
     program: Program,
-    values: Map<NodeId, Value>,
+    values: NodeNumbers,
 }
 
 impl<'a> Scheduler<'a> {
@@ -109,7 +113,7 @@ impl<'a> Scheduler<'a> {
             graph,
             slots,
             program: Program::default(),
-            values: Map::new(),
+            values: NodeNumbers::new(graph.len()),
         }
     }
 
@@ -117,7 +121,7 @@ impl<'a> Scheduler<'a> {
         for &output in outputs {
             self.visit(output);
         }
-        self.program.outputs = outputs.iter().map(|output| self.values[output]).collect();
+        self.program.outputs = outputs.iter().map(|output| self.value(*output)).collect();
         self.program
     }
 
@@ -125,23 +129,35 @@ impl<'a> Scheduler<'a> {
     fn visit(&mut self, root: NodeId) {
         let mut stack = vec![root];
         while let Some(&id) = stack.last() {
-            if self.values.contains_key(&id) {
+            if self.values.has(id) {
                 stack.pop();
                 continue;
             }
             let waiting = stack.len();
             if !self.is_slot(id) {
-                let operands: Vec<NodeId> = self.operation(id).operands().collect();
-                let missing = operands.into_iter().rev();
-                stack.extend(missing.filter(|x| !self.values.contains_key(x)));
+                for operand in self.operation(id).operands() {
+                    if !self.values.has(operand) {
+                        stack.push(operand);
+                    }
+                }
+                // Of at most three operands the first comes first.
+                if stack.len() > waiting + 1 {
+                    let last = stack.len() - 1;
+                    stack.swap(waiting, last);
+                }
             }
             if stack.len() > waiting {
                 continue;
             }
             let value = self.append(id);
-            self.values.insert(id, value);
+            self.values.set(id, value.0);
             stack.pop();
         }
+    }
+
+    /// Returns the value of a node that is there.
+    fn value(&self, id: NodeId) -> Value {
+        Value(self.values.get(id).expect("operands come first"))
     }
 
     /// Returns the operation that is done for a node: a difference with a minus sign is the
@@ -182,10 +198,10 @@ impl<'a> Scheduler<'a> {
                 Some(source) => Instruction::Load(source),
                 None => unreachable!("symbols of a plain graph have sources"),
             },
-            Node::Unary(op, a) => Instruction::Unary(op, self.values[&a]),
-            Node::Binary(op, a, b) => Instruction::Binary(op, self.values[&a], self.values[&b]),
+            Node::Unary(op, a) => Instruction::Unary(op, self.value(a)),
+            Node::Binary(op, a, b) => Instruction::Binary(op, self.value(a), self.value(b)),
             Node::Ternary(op, a, b, c) => {
-                Instruction::Ternary(op, self.values[&a], self.values[&b], self.values[&c])
+                Instruction::Ternary(op, self.value(a), self.value(b), self.value(c))
             }
         };
         self.program.push(instruction)

@@ -27,8 +27,11 @@ impl Program {
             let binding = match instruction {
                 Instruction::Load(source) => source.binding(),
                 _ => {
-                    let operands = instruction.operands().map(|x| bindings[x.0]);
-                    operands.max().unwrap_or(Binding::Constant)
+                    let mut latest = Binding::Constant;
+                    for operand in instruction.operands() {
+                        latest = latest.max(bindings[operand.0]);
+                    }
+                    latest
                 }
             };
             bindings.push(binding);
@@ -71,9 +74,9 @@ impl Program {
         let used = self.used(self.outputs.iter().copied());
         let mut places = Vec::with_capacity(used.len());
         let mut kept = Self::default();
-        for (instruction, used) in self.instructions.into_iter().zip(used) {
+        for (index, instruction) in self.instructions.iter().enumerate() {
             places.push(Value(kept.instructions.len()));
-            if used {
+            if used[index] {
                 kept.push(instruction.with_operands(|x| places[x.0]));
             }
         }
@@ -122,7 +125,9 @@ impl Program {
         }
         for (index, instruction) in self.instructions.iter().enumerate().rev() {
             if used[index] {
-                instruction.operands().for_each(|x| used[x.0] = true);
+                for operand in instruction.operands() {
+                    used[operand.0] = true;
+                }
             }
         }
         used
@@ -142,11 +147,13 @@ impl Program {
     /// that computes it.
     pub fn mistake(&self) -> Option<String> {
         for (index, instruction) in self.instructions.iter().enumerate() {
-            if let Some(late) = instruction.operands().find(|x| x.0 >= index) {
-                return Some(format!(
-                    "v{index} = {instruction} stands before v{}",
-                    late.0
-                ));
+            for late in instruction.operands() {
+                if late.0 >= index {
+                    return Some(format!(
+                        "v{index} = {instruction} stands before v{}",
+                        late.0
+                    ));
+                }
             }
             if let Instruction::Second(of) = instruction {
                 let pair = self.instructions[of.0];

@@ -93,6 +93,11 @@ pub(super) fn first<Operation: Copy, const ARITY: usize>(
     op: Operation,
     operands: [NodeId; ARITY],
 ) -> Option<NodeId> {
-    let mut rules = rules.iter();
-    rules.find_map(|rule| (rule.rewrite)(store, op, operands))
+    for rule in rules {
+        let found = (rule.rewrite)(store, op, operands);
+        if found.is_some() {
+            return found;
+        }
+    }
+    None
 }

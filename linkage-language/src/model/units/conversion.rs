@@ -127,12 +127,11 @@ impl Factor {
 
     fn times(&self, mut value: Decimal) -> Decimal {
         let number = |text: &str| Decimal::parse(text).expect("a number");
-        let pi = match self.pi {
-            0.. => number(PI),
-            _ => number(PER_PI),
-        };
-        for _ in 0..self.pi.abs() {
-            value = value.times(&pi);
+        if self.pi != 0 {
+            let pi = number(if self.pi > 0 { PI } else { PER_PI });
+            for _ in 0..self.pi.abs() {
+                value = value.times(&pi);
+            }
         }
         for (whole, count) in &self.whole {
             let factor = number(&whole.to_string());

@@ -23,9 +23,14 @@ impl Decimal {
         if whole.is_empty() {
             return None;
         }
-        let digits: Option<Vec<u8>> = whole.bytes().chain(fraction.bytes()).map(digit).collect();
+        let mut digits = Vec::with_capacity(whole.len() + fraction.len());
+        for part in [whole, fraction] {
+            for &byte in part.as_bytes() {
+                digits.push(digit(byte)?);
+            }
+        }
         Some(Decimal {
-            digits: digits?,
+            digits,
             exponent: exponent - fraction.len() as i64,
         })
     }
@@ -42,11 +47,17 @@ impl Decimal {
     }
 
     pub(in crate::model) fn times(&self, other: &Decimal) -> Decimal {
-        let mut product = vec![0u64; self.digits.len() + other.digits.len()];
-        for (i, left) in self.digits.iter().enumerate() {
-            for (j, right) in other.digits.iter().enumerate() {
-                product[i + j + 1] += u64::from(*left) * u64::from(*right);
+        // Indices of slices: iterators are calls where nothing is optimised, and pi is long.
+        let (left, right) = (&self.digits[..], &other.digits[..]);
+        let product = &mut vec![0u64; left.len() + right.len()][..];
+        let mut i = 0;
+        while i < left.len() {
+            let mut j = 0;
+            while j < right.len() {
+                product[i + j + 1] += left[i] as u64 * right[j] as u64;
+                j += 1;
             }
+            i += 1;
         }
         let mut carry = 0;
         for digit in product.iter_mut().rev() {
@@ -54,7 +65,7 @@ impl Decimal {
             *digit = sum % 10;
             carry = sum / 10;
         }
-        let digits = product.into_iter().map(|digit| digit as u8).collect();
+        let digits = product.iter().map(|digit| *digit as u8).collect();
         Decimal {
             digits,
             exponent: self.exponent + other.exponent,

@@ -32,16 +32,18 @@ pub(super) fn ends(program: &Program, last_uses: &[usize]) -> Vec<usize> {
     for end in free + 1..=count {
         let mut least = (usize::MAX, 0);
         last.end_at(end);
-        for start in (free..end).rev() {
+        let mut start = end;
+        while start > free {
+            start -= 1;
             last.begin_at(start);
             if splits_pair(program, start) {
                 continue;
             }
             // A stage that begins with the first operation has what is free, too.
-            let start = if start == free { 0 } else { start };
-            let cost = best[start].0 + last.cost();
+            let first = if start == free { 0 } else { start };
+            let cost = best[first].0 + last.cost();
             if cost < least.0 {
-                least = (cost, start);
+                least = (cost, first);
             }
             if last.size > 4 * SIZE {
                 break;
@@ -60,21 +62,22 @@ pub(super) fn ends(program: &Program, last_uses: &[usize]) -> Vec<usize> {
 }
 
 /// The cost of a stage that ends before `end`, while its begin moves to the front.
+// Slices: an index of a list is a call where nothing is optimised.
 struct Last<'a> {
     last_uses: &'a [usize],
     end: usize,
     /// All operations of the program.
-    operations: Vec<Operation>,
+    operations: Box<[Operation]>,
     size: usize,
     /// The end for which each value was last found among the used values of a stage.
-    used: Vec<usize>,
+    used: Box<[usize]>,
     /// The number of values from stages before.
     taken: usize,
     /// The number of its values that later stages need.
     kept: usize,
     /// The longest chain of operations after each operation, in cycles, with the end for which it
     /// was last found.
-    chains: Vec<(usize, usize)>,
+    chains: Box<[(usize, usize)]>,
     /// The longest chain of operations of the stage.
     chain: usize,
 }
@@ -106,10 +109,10 @@ impl<'a> Last<'a> {
             end: 0,
             operations: program.instructions.iter().map(operation).collect(),
             size: 0,
-            used: vec![0; program.instructions.len()],
+            used: vec![0; program.instructions.len()].into(),
             taken: 0,
             kept: 0,
-            chains: vec![(0, 0); program.instructions.len()],
+            chains: vec![(0, 0); program.instructions.len()].into(),
             chain: 0,
         }
     }
@@ -130,16 +133,19 @@ impl<'a> Last<'a> {
         self.kept += usize::from(self.last_uses[start] >= self.end);
         self.taken -= usize::from(self.used[start] == self.end);
         let end = self.end;
-        let after = |chains: &[(usize, usize)], value: usize| match chains[value] {
-            (found, chain) if found == end => chain,
-            _ => 0,
-        };
-        let chain = after(&self.chains, start) + operation.latency;
+        let mut chain = operation.latency;
+        let (found, after) = self.chains[start];
+        if found == end {
+            chain += after;
+        }
         self.chain = self.chain.max(chain);
         for &value in &operation.operands {
-            self.chains[value] = (end, after(&self.chains, value).max(chain));
-            if self.used[value] != self.end {
-                self.used[value] = self.end;
+            let (found, after) = self.chains[value];
+            if found != end || after < chain {
+                self.chains[value] = (end, chain);
+            }
+            if self.used[value] != end {
+                self.used[value] = end;
                 self.taken += 1;
             }
         }
