@@ -1,20 +1,13 @@
 //! A chain of ten dyads: the errors of each go into the next.
 
 use linkage_reference::{
-    Big, Datum, Depth, Form, Kind, Limits, Output, Plane, Position, System, Unknown, compare,
-    forms, nearby_cases,
+    Big, Datum, Depth, Form, Limits, Output, Plane, Position, System, Unknown, compare, forms,
+    nearby_cases,
 };
 
 /// The errors of all groups before one add up; the condition number counts them, as it is the sum
 /// over all loops. What is left is as for one dyad.
-const LIMITS: Limits = Limits {
-    condition: 10.0,
-    value: 10.0,
-    margin: 10.0,
-    first: 30.0,
-    second: 100.0,
-    third: 100.0,
-};
+const LIMITS: Limits = Limits::new([10.0, 10.0, 10.0], [30.0, 100.0, 100.0]);
 
 /// A dyad on a moving point, and the point that it moves.
 enum Stage {
@@ -114,21 +107,13 @@ const CHAIN: System = System {
             .flat_map(|(_, miss)| [miss.x, miss.y])
             .collect()
     },
-    outputs: |p| {
-        let unknowns = CHAIN.unknowns.iter().map(|unknown| match unknown.kind {
-            Kind::Angle => Output::Angle(p.direction(unknown.name)),
-            _ => Output::Value(p.slide(unknown.name).clone()),
-        });
+    further: |p| {
         let points = points(p)
             .into_iter()
             .flat_map(|(point, _)| [point.x, point.y]);
-        unknowns.chain(points.map(Output::Value)).collect()
+        points.map(Output::Value).collect()
     },
-    gap: |_| Big::one(),
-    turned: |_| Big::one(),
-    pairs: &[],
-    linear: false,
-    margin: None,
+    ..System::PLAIN
 };
 
 /// The points that the stages move, and by how much their loops are missed.

@@ -7,14 +7,7 @@ use linkage_reference::{
 
 /// The uncertainty is that of both loops together; the second one differentiates the first one's
 /// rounded results.
-const LIMITS: Limits = Limits {
-    condition: 10.0,
-    value: 10.0,
-    margin: 10.0,
-    first: 30.0,
-    second: 30.0,
-    third: 30.0,
-};
+const LIMITS: Limits = Limits::new([10.0, 10.0, 10.0], [30.0, 30.0, 30.0]);
 
 fn closure(p: &Position) -> [Big; 2] {
     let closure = p.polar("crank", "phi") + p.polar("coupler", "theta")
@@ -56,17 +49,12 @@ const SIX_BAR: System = System {
         let [x, y] = closure(p);
         vec![x, y, second.x, second.y]
     },
-    outputs: |p| {
+    further: |p| {
         let tip = tracer(p) + p.polar("link", "alpha");
-        let angles = ["theta", "psi", "alpha", "beta"].map(|name| Output::Angle(p.direction(name)));
-        let tip = [tip.x, tip.y].map(Output::Value);
-        angles.into_iter().chain(tip).collect()
+        Output::lengths([tip.x, tip.y])
     },
-    gap: |_| Big::one(),
-    turned: |_| linkage_reference::Big::one(),
     pairs: &[(2, 9), (5, 10)],
-    linear: false,
-    margin: None,
+    ..System::PLAIN
 };
 
 macro_rules! six_bar {
@@ -162,22 +150,12 @@ const MOVING_GUIDE: System = System {
         let [x, y] = closure(p);
         vec![x, y, second.x, second.y]
     },
-    outputs: |p| {
+    further: |p| {
         let tip = p.point("pivot_g") + p.polar("out", "beta");
-        vec![
-            Output::Angle(p.direction("theta")),
-            Output::Angle(p.direction("psi")),
-            Output::Value(p.slide("t").clone()),
-            Output::Angle(p.direction("beta")),
-            Output::Value(tip.x),
-            Output::Value(tip.y),
-        ]
+        Output::lengths([tip.x, tip.y])
     },
-    gap: |_| Big::one(),
-    turned: |_| linkage_reference::Big::one(),
     pairs: &[(2, 9), (5, 10)],
-    linear: false,
-    margin: None,
+    ..System::PLAIN
 };
 
 macro_rules! moving_guide {

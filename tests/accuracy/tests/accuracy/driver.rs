@@ -19,20 +19,13 @@ const TRIANGLE: System = System {
         let closure = p.polar("left", "theta") + p.polar("right", "psi") - p.polar("base", "phi");
         vec![closure.x, closure.y]
     },
-    outputs: |p| {
+    further: |p| {
         let tip = p.polar("left", "theta");
-        vec![
-            Output::Angle(p.direction("theta")),
-            Output::Angle(p.direction("psi")),
-            Output::Value(tip.x),
-            Output::Value(tip.y),
-        ]
+        Output::lengths([tip.x, tip.y])
     },
     gap: |p| triangle_gap(p.value("left"), p.value("right"), &p.value("base").abs()),
-    turned: |_| linkage_reference::Big::one(),
-    pairs: &[],
-    linear: false,
     margin: Some(|_| linkage_reference::Big::one()),
+    ..System::PLAIN
 };
 
 const PLAN: Plan = Plan {
@@ -113,14 +106,7 @@ macro_rules! program {
     };
 }
 
-const LIMITS: Limits = Limits {
-    condition: 10.0,
-    value: 10.0,
-    margin: 10.0,
-    first: 10.0,
-    second: 10.0,
-    third: 10.0,
-};
+const LIMITS: Limits = Limits::new([10.0, 10.0, 10.0], [10.0, 10.0, 10.0]);
 
 fn run(form: Form) -> Report {
     compare(

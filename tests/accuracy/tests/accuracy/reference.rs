@@ -1,6 +1,6 @@
 //! The reference itself, against figures known from elsewhere.
 
-use linkage_reference::{Big, Datum, Output, Plane, Position, Reference, System, Unknown};
+use linkage_reference::{Big, Datum, Plane, Position, Reference, System, Unknown};
 
 const FOUR_BAR: System = System {
     name: "four-bar",
@@ -23,17 +23,9 @@ const FOUR_BAR: System = System {
             - frame;
         vec![closure.x, closure.y]
     },
-    outputs: |p| {
-        vec![
-            Output::Angle(p.direction("theta")),
-            Output::Angle(p.direction("psi")),
-        ]
-    },
     gap: |_: &Position| Big::one(),
-    turned: |_| linkage_reference::Big::one(),
-    pairs: &[],
-    linear: false,
     margin: Some(|_| linkage_reference::Big::one()),
+    ..System::PLAIN
 };
 
 fn data() -> Vec<f64> {

@@ -25,20 +25,12 @@ const FIVE_BAR: System = System {
             p.polar("crank", "phi") + p.polar("rod_1", "alpha") - frame - p.polar("rod_2", "beta");
         vec![closure.x, closure.y]
     },
-    outputs: |p| {
+    further: |p| {
         let point = p.polar("crank", "phi") + p.polar("rod_1", "alpha");
-        vec![
-            Output::Angle(p.direction("alpha")),
-            Output::Angle(p.direction("beta")),
-            Output::Value(point.x),
-            Output::Value(point.y),
-        ]
+        Output::lengths([point.x, point.y])
     },
-    gap: |_| Big::one(),
-    turned: |_| linkage_reference::Big::one(),
-    pairs: &[],
-    linear: false,
     margin: Some(|_| linkage_reference::Big::one()),
+    ..System::PLAIN
 };
 
 linkage_interpreted::interpreted! {

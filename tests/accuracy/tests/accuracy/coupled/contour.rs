@@ -2,7 +2,7 @@
 
 use crate::coupled::{LIMITS, cases, sizes};
 use linkage_reference::{
-    Big, Datum, Depth, Form, Output, Plane, Position, System, Unknown, compare, forms,
+    Datum, Depth, Form, Output, Plane, Position, System, Unknown, compare, forms,
 };
 
 /// From the second ternary link's end to the first one's, for each of the binary links.
@@ -43,20 +43,12 @@ const CONTOUR: System = System {
         let lower = lower + p.polar("lower", "delta");
         vec![upper.x, upper.y, lower.x, lower.y]
     },
-    outputs: |p| {
+    further: |p| {
         let end = p.polar("crank", "phi") + p.polar("p", "alpha");
-        let angles =
-            ["alpha", "beta", "gamma", "delta"].map(|name| Output::Angle(p.direction(name)));
-        angles
-            .into_iter()
-            .chain([end.x, end.y].map(Output::Value))
-            .collect()
+        Output::lengths([end.x, end.y])
     },
-    gap: |_| Big::one(),
-    turned: |_| Big::one(),
     pairs: &[(3, 9), (5, 6)],
-    linear: false,
-    margin: None,
+    ..System::PLAIN
 };
 
 macro_rules! contour {

@@ -3,8 +3,7 @@
 use super::LIMITS;
 use linkage_reference::{
     Big, Datum, Depth, Form, Output, Plan, Position, Space, System, Unknown, compare, cycle_cases,
-    dead_point_cases, edge, far_input_cases, forms, proportion_cases, reach_gap, scale_cases,
-    wide_scale_cases,
+    edge, far_input_cases, forms, proportion_cases, reach_gap, scale_cases, wide_scale_cases,
 };
 use nalgebra::Vector3;
 
@@ -52,17 +51,13 @@ const LENGTHS: System = System {
             + turning(p).times(p.slide("v"));
         (sum - p.space("base")).components().to_vec()
     },
-    outputs: |p| {
+    further: |p| {
         let corner = pin(p) + guides(p)[0].times(p.slide("s"));
-        let [x, y, z] = corner.components().map(Output::Value);
-        let [s, t, v] = ["s", "t", "v"].map(|name| Output::Value(p.slide(name).clone()));
-        vec![s, t, v, x, y, z]
+        Output::lengths(corner.components())
     },
-    gap: |_| Big::one(),
-    turned: |_| Big::one(),
     pairs: &[(0, 4), (5, 6)],
     linear: true,
-    margin: None,
+    ..System::PLAIN
 };
 
 macro_rules! lengths {
@@ -144,11 +139,7 @@ const ANGLE: System = System {
         let sum = pin(p) + one.times(p.slide("s")) + two.times(p.slide("t"));
         (sum - p.space("base") - link(p)).components().to_vec()
     },
-    outputs: |p| {
-        let [x, y, z] = (p.space("base") + link(p)).components().map(Output::Value);
-        let [s, t] = ["s", "t"].map(|name| Output::Value(p.slide(name).clone()));
-        vec![s, t, Output::Angle(p.direction("psi")), x, y, z]
-    },
+    further: |p| Output::lengths((p.space("base") + link(p)).components()),
     gap: |p| {
         let [one, two] = guides(p);
         let normal = one.cross(&two);
@@ -157,10 +148,8 @@ const ANGLE: System = System {
         let reach = (&along * &along + &normal.y * &normal.y).sqrt() * p.value("link");
         reach_gap(&reach, &normal.dot(&(pin(p) - p.space("base"))))
     },
-    turned: |_| Big::one(),
     pairs: &[(1, 7), (5, 6)],
-    linear: false,
-    margin: None,
+    ..System::PLAIN
 };
 
 macro_rules! angle {
@@ -261,12 +250,9 @@ fn two_lengths_and_an_angle() {
     all(&ANGLE, ANGLE_FORMS, &ANGLE_PLAN, 291);
 }
 
-#[test]
-fn two_lengths_and_an_angle_dead_points() {
-    let cases = dead_point_cases(&ANGLE, &ANGLE_PLAN, 3, 301);
-    compare(&ANGLE, ANGLE_FORMS, &cases, Depth::Full)
-        .at_least(40)
-        .check("dead points", &LIMITS);
+linkage_reference::sets! { ANGLE, ANGLE_FORMS;
+    two_lengths_and_an_angle_dead_points "dead points":
+        dead_point_cases(&ANGLE_PLAN, 3, 301), Full, LIMITS, at least 40;
 }
 
 #[test]
