@@ -2,8 +2,6 @@
 
 mod four_bar;
 mod machine;
-mod many;
-mod roundoff;
 mod sheet;
 mod sliders;
 mod slots;
@@ -12,9 +10,9 @@ mod yokes;
 
 pub use four_bar::{FourBar, four_bar};
 pub use machine::{lift, machine};
-pub use many::{falling, many};
-pub use roundoff::roundoff;
 pub use sheet::Sheet;
+pub use sheet::roundoff;
+pub use sheet::{falling, many};
 pub use sliders::sliders;
 pub use slots::slots;
 pub use spatial::{spatial, spatial_machine};
