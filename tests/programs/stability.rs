@@ -17,7 +17,7 @@ use crate::check::Check;
 use crate::folders;
 use dyads::{DYADS, Dyad};
 use linkage_reference::{
-    Big, Datum, Output, Plane, Position, ROUNDOFF, Random, Reference, System, Unknown, approach,
+    Big, Output, Plane, Position, ROUNDOFF, Random, Reference, System, Unknown, approach, data,
     reach_gap,
 };
 use picture::{Curve, Panel};
@@ -158,12 +158,9 @@ fn nothing_turned(_: &Position) -> Big {
 /// Two links between the origin and a given point.
 pub(crate) const TWO_LINKS: System = System {
     name: "two links",
-    data: &[
-        Datum::length("left", 60.0),
-        Datum::length("right", 80.0),
-        Datum::length("x", 100.0),
-        Datum::length("y", 30.0),
-    ],
+    data: data! {
+        length "left" 60.0, "right" 80.0, "x" 100.0, "y" 30.0;
+    },
     parameters: 3,
     unknowns: &[Unknown::angle("theta", 66.0), Unknown::angle("psi", 162.0)],
     residual: |p| {
@@ -194,12 +191,11 @@ pub(crate) const TWO_LINKS: System = System {
 /// A rod between a given point and a line through the origin.
 pub(crate) const ROD_AND_GUIDE: System = System {
     name: "rod and guide",
-    data: &[
-        Datum::length("rod", 100.0),
-        Datum::degrees("gamma", 10.0),
-        Datum::length("x", 20.0),
-        Datum::length("y", 30.0),
-    ],
+    data: data! {
+        length "rod" 100.0;
+        degrees "gamma" 10.0;
+        length "x" 20.0, "y" 30.0;
+    },
     unknowns: &[Unknown::angle("theta", -5.0), Unknown::slide("s", 121.0)],
     residual: |p| {
         let slider = p.direction("gamma").times(p.slide("s"));
@@ -214,12 +210,11 @@ pub(crate) const ROD_AND_GUIDE: System = System {
 /// A given point on a line that turns with a link.
 pub(crate) const TURNING_GUIDE: System = System {
     name: "turning guide",
-    data: &[
-        Datum::length("offset", 30.0),
-        Datum::degrees("beta", 60.0),
-        Datum::length("x", 80.0),
-        Datum::length("y", 40.0),
-    ],
+    data: data! {
+        length "offset" 30.0;
+        degrees "beta" 60.0;
+        length "x" 80.0, "y" 40.0;
+    },
     unknowns: &[Unknown::angle("psi", 10.0), Unknown::slide("s", 71.0)],
     residual: |p| {
         let miss = corner(p) + p.direction("psi").times(p.slide("s")) - given_point(p);

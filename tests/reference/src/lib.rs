@@ -20,6 +20,7 @@ mod answers;
 mod big;
 mod cases;
 mod compare;
+mod datum;
 mod edge;
 mod errors;
 mod fused;
@@ -43,6 +44,7 @@ pub use cases::{
 };
 pub use cases::{approach, rescaled};
 pub use compare::{Case, Depth, Evaluate, Form, Variant, compare};
+pub use datum::{Datum, Kind, Unknown};
 pub use edge::{Edge, edge};
 pub use fused::Fused;
 pub use gap::{circle_gap, line_gap, planes_line, reach_gap, triangle_gap};
@@ -55,7 +57,7 @@ pub use program::{Parameters, Program, Values};
 pub use reference::Reference;
 pub use report::{Measure, Report};
 pub use solve::{Solution, solve};
-pub use system::{Datum, Kind, Output, Position, System, Unknown};
+pub use system::{Output, Position, System};
 
 use compare::default_mode;
 

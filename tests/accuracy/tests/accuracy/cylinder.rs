@@ -2,7 +2,7 @@
 //! moving lengths.
 
 use linkage_reference::{
-    Datum, Form, Limits, Output, Plan, Plane, System, Unknown, forms, triangle_gap,
+    Form, Limits, Output, Plan, Plane, System, Unknown, data, forms, triangle_gap,
 };
 
 const LIMITS: Limits = Limits::new([10.0, 10.0, 10.0], [30.0, 30.0, 30.0]);
@@ -10,15 +10,11 @@ const LIMITS: Limits = Limits::new([10.0, 10.0, 10.0], [30.0, 30.0, 30.0]);
 /// The rod's eye stands `shift` beside the cylinder's axis: a ternary link whose length moves.
 const BOOM: System = System {
     name: "boom",
-    data: &[
-        Datum::length("pivot.x", 90.0),
-        Datum::length("pivot.y", 20.0),
-        Datum::length("arm", 60.0),
-        Datum::length("shift", 8.0),
-        Datum::length("load", 150.0),
-        Datum::degrees("lift", -20.0),
-        Datum::length("stroke", 110.0),
-    ],
+    data: data! {
+        length "pivot.x" 90.0, "pivot.y" 20.0, "arm" 60.0, "shift" 8.0, "load" 150.0;
+        degrees "lift" -20.0;
+        length "stroke" 110.0;
+    },
     parameters: 6,
     unknowns: &[Unknown::angle("theta", 40.0), Unknown::angle("psi", 90.0)],
     residual: |p| {

@@ -1,18 +1,17 @@
 //! The comparison itself: it accepts a good program and notices every kind of bad one.
 
 use linkage_reference::{
-    Answers, Datum, Depth, Evaluate, Form, Limits, Measure, Output, Plan, Report, System, Unknown,
-    Variant, compare, cycle_cases, dead_point_cases, proportion_cases, scale_cases, triangle_gap,
+    Answers, Depth, Evaluate, Form, Limits, Measure, Output, Plan, Report, System, Unknown,
+    Variant, compare, cycle_cases, data, dead_point_cases, proportion_cases, scale_cases,
+    triangle_gap,
 };
 
 const TRIANGLE: System = System {
     name: "triangle",
-    data: &[
-        Datum::length("left", 3.0),
-        Datum::length("right", 4.0),
-        Datum::length("base", 5.0),
-        Datum::degrees("phi", 30.0),
-    ],
+    data: data! {
+        length "left" 3.0, "right" 4.0, "base" 5.0;
+        degrees "phi" 30.0;
+    },
     parameters: 3,
     unknowns: &[Unknown::angle("theta", 80.0), Unknown::angle("psi", 350.0)],
     residual: |p| {

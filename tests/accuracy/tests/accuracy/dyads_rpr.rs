@@ -1,7 +1,7 @@
 //! RPR: a slider along a line that is fixed in a turning link.
 
 use linkage_reference::{
-    Case, Datum, Depth, Form, Limits, Output, Plan, Random, System, Unknown, compare, cycle_cases,
+    Case, Depth, Form, Limits, Output, Plan, Random, System, Unknown, compare, cycle_cases, data,
     dead_point_cases, edge, forms, proportion_cases, reach_gap, scale_cases,
 };
 
@@ -10,14 +10,10 @@ const LIMITS: Limits = Limits::new([10.0, 10.0, 20.0], [30.0, 100.0, 100.0]);
 
 const SWINGING_BLOCK: System = System {
     name: "swinging block",
-    data: &[
-        Datum::length("pivot.x", 80.0),
-        Datum::length("pivot.y", -20.0),
-        Datum::length("crank", 30.0),
-        Datum::length("offset", 10.0),
-        Datum::degrees("beta", 80.0),
-        Datum::degrees("phi", 40.0),
-    ],
+    data: data! {
+        length "pivot.x" 80.0, "pivot.y" -20.0, "crank" 30.0, "offset" 10.0;
+        degrees "beta" 80.0, "phi" 40.0;
+    },
     parameters: 5,
     unknowns: &[Unknown::angle("psi", 137.0), Unknown::slide("s", 66.8)],
     residual: |p| {

@@ -3,23 +3,20 @@
 mod stress;
 
 use linkage_reference::{
-    Big, Datum, Depth, Form, Limits, Output, Plan, Plane, Position, System, Unknown, compare,
-    forms, proportion_cases, reach_gap,
+    Big, Depth, Form, Limits, Output, Plan, Plane, Position, System, Unknown, compare, data, forms,
+    proportion_cases, reach_gap,
 };
 
 const LIMITS: Limits = Limits::new([10.0, 10.0, 10.0], [30.0, 100.0, 100.0]);
 
 const SLIDER_CRANK: System = System {
     name: "slider-crank",
-    data: &[
-        Datum::length("crank", 30.0),
-        Datum::length("rod", 100.0),
-        Datum::length("guide.x", 0.0),
-        Datum::length("guide.y", 10.0),
-        Datum::degrees("gamma", 5.0),
-        Datum::ratio("ratio", 0.0),
-        Datum::degrees("phi", 30.0),
-    ],
+    data: data! {
+        length "crank" 30.0, "rod" 100.0, "guide.x" 0.0, "guide.y" 10.0;
+        degrees "gamma" 5.0;
+        ratio "ratio" 0.0;
+        degrees "phi" 30.0;
+    },
     parameters: 5,
     unknowns: &[Unknown::angle("theta", 3.0), Unknown::slide("s", 126.0)],
     residual: slider_residual,

@@ -1,7 +1,7 @@
 //! RRR: two links between two known points.
 
 use linkage_reference::{
-    Datum, Depth, Form, Limits, Output, Plan, Random, System, Unknown, compare, decade_cases, edge,
+    Depth, Form, Limits, Output, Plan, Random, System, Unknown, compare, data, decade_cases, edge,
     forms, proportion_cases, triangle_gap, wide_scale_cases,
 };
 
@@ -9,16 +9,11 @@ const LIMITS: Limits = Limits::new([10.0, 10.0, 10.0], [30.0, 100.0, 100.0]);
 
 const FOUR_BAR: System = System {
     name: "four-bar",
-    data: &[
-        Datum::length("pivot_d.x", 140.0),
-        Datum::length("pivot_d.y", 0.0),
-        Datum::length("crank", 50.0),
-        Datum::length("coupler", 120.0),
-        Datum::length("rocker", 100.0),
-        Datum::length("arm", 70.0),
-        Datum::degrees("lift", 25.0),
-        Datum::degrees("phi", 30.0),
-    ],
+    data: data! {
+        length "pivot_d.x" 140.0, "pivot_d.y" 0.0, "crank" 50.0, "coupler" 120.0, "rocker" 100.0,
+            "arm" 70.0;
+        degrees "lift" 25.0, "phi" 30.0;
+    },
     parameters: 7,
     unknowns: &[Unknown::angle("theta", 40.0), Unknown::angle("psi", 80.0)],
     residual: |p| {

@@ -1,23 +1,20 @@
 //! PRP and RPP: two slides along known directions, at rest or moving; the loops are linear.
 
 use linkage_reference::{
-    Big, Case, Datum, Depth, Form, Limits, Output, Plan, Plane, Position, Random, System, Unknown,
-    compare, cycle_cases, forms, proportion_cases, scale_cases,
+    Big, Case, Depth, Form, Limits, Output, Plan, Plane, Position, Random, System, Unknown,
+    compare, cycle_cases, data, forms, proportion_cases, scale_cases,
 };
 
 const LIMITS: Limits = Limits::new([10.0, 10.0, 10.0], [30.0, 30.0, 30.0]);
 
 const TWO_SLIDES: System = System {
     name: "two slides",
-    data: &[
-        Datum::length("crank", 30.0),
-        Datum::length("pivot.x", 20.0),
-        Datum::length("pivot.y", -15.0),
-        Datum::degrees("alpha", 10.0),
-        Datum::degrees("beta", 100.0),
-        Datum::ratio("ratio", 0.1),
-        Datum::degrees("phi", 30.0),
-    ],
+    data: data! {
+        length "crank" 30.0, "pivot.x" 20.0, "pivot.y" -15.0;
+        degrees "alpha" 10.0, "beta" 100.0;
+        ratio "ratio" 0.1;
+        degrees "phi" 30.0;
+    },
     parameters: 6,
     unknowns: &[Unknown::slide("s", 10.0), Unknown::slide("t", 10.0)],
     residual: |p| {

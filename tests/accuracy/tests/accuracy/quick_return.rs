@@ -1,8 +1,8 @@
 //! Identities between results, and a quick return against its closed form.
 
 use linkage_reference::{
-    Datum, Depth, Form, Limits, Output, Random, System, Unknown, compare, forms, identities,
-    nearby_cases,
+    Depth, Form, Limits, Output, Random, System, compare, data, forms, identities, nearby_cases,
+    unknowns,
 };
 
 // A quick-return drive: an RPR dyad and an RRP dyad in a row.
@@ -13,23 +13,18 @@ const LIMITS: Limits = Limits::new([10.0, 10.0, 10.0], [30.0, 30.0, 30.0]);
 
 const QUICK_RETURN: System = System {
     name: "quick return",
-    data: &[
-        Datum::length("crank", 40.0),
-        Datum::length("pivot.x", 0.0),
-        Datum::length("pivot.y", -100.0),
-        Datum::length("offset", 5.0),
-        Datum::length("lever", 180.0),
-        Datum::length("rod", 90.0),
-        Datum::length("height", 90.0),
-        Datum::degrees("phi", 30.0),
-    ],
+    data: data! {
+        length "crank" 40.0, "pivot.x" 0.0, "pivot.y" -100.0, "offset" 5.0, "lever" 180.0,
+            "rod" 90.0, "height" 90.0;
+        degrees "phi" 30.0;
+    },
     parameters: 7,
-    unknowns: &[
-        Unknown::angle("psi", 72.0),
-        Unknown::slide("s", 125.0),
-        Unknown::angle("theta", 12.0),
-        Unknown::slide("ram", 145.0),
-    ],
+    unknowns: unknowns! {
+        angle "psi" 72.0;
+        slide "s" 125.0;
+        angle "theta" 12.0;
+        slide "ram" 145.0;
+    },
     residual: |p| {
         let line = p.direction("psi");
         let block =

@@ -1,8 +1,8 @@
 //! Loops of one equation and one unknown.
 
 use linkage_reference::{
-    Big, Datum, Depth, Form, Limits, Output, Plan, Plane, Position, System, Unknown, compare,
-    cycle_cases, dead_point_cases, forms, reach_gap, scale_cases,
+    Big, Depth, Form, Limits, Output, Plan, Plane, Position, System, Unknown, compare, cycle_cases,
+    data, dead_point_cases, forms, reach_gap, scale_cases,
 };
 
 const LIMITS: Limits = Limits::new([10.0, 10.0, 10.0], [30.0, 30.0, 30.0]);
@@ -10,13 +10,10 @@ const LIMITS: Limits = Limits::new([10.0, 10.0, 10.0], [30.0, 30.0, 30.0]);
 /// A link whose end stays on a line: `A cos psi + B sin psi = C`.
 const ON_A_LINE: System = System {
     name: "link on a line",
-    data: &[
-        Datum::length("link", 90.0),
-        Datum::length("crank", 20.0),
-        Datum::length("distance", 15.0),
-        Datum::degrees("normal", 70.0),
-        Datum::degrees("phi", 30.0),
-    ],
+    data: data! {
+        length "link" 90.0, "crank" 20.0, "distance" 15.0;
+        degrees "normal" 70.0, "phi" 30.0;
+    },
     parameters: 4,
     unknowns: &[Unknown::angle("psi", 340.0)],
     residual: |p| {
@@ -103,12 +100,12 @@ fn link_on_a_line_hard_cases() {
 /// A gear pair as a loop of angles, with a point on the driven wheel.
 const GEARS: System = System {
     name: "gears",
-    data: &[
-        Datum::ratio("ratio", 2.5),
-        Datum::degrees("offset", 12.0),
-        Datum::length("radius", 25.0),
-        Datum::degrees("phi", 30.0),
-    ],
+    data: data! {
+        ratio "ratio" 2.5;
+        degrees "offset" 12.0;
+        length "radius" 25.0;
+        degrees "phi" 30.0;
+    },
     parameters: 3,
     unknowns: &[Unknown::angle("psi", 87.0)],
     residual: |p| {

@@ -1,19 +1,15 @@
 //! Two degrees of freedom: all partial derivatives by both inputs and by parameters.
 
-use linkage_reference::{
-    Big, Components, Datum, Output, Plane, Random, Reference, System, Unknown,
-};
+use linkage_reference::{Big, Components, Output, Plane, Random, Reference, System, Unknown, data};
 
 /// A five-bar: one crank turns, the other one slides along the frame.
 const FIVE_BAR: System = System {
     name: "five-bar",
-    data: &[
-        Datum::length("crank", 30.0),
-        Datum::length("rod_1", 90.0),
-        Datum::length("rod_2", 85.0),
-        Datum::degrees("phi", 70.0),
-        Datum::length("shift", 95.0),
-    ],
+    data: data! {
+        length "crank" 30.0, "rod_1" 90.0, "rod_2" 85.0;
+        degrees "phi" 70.0;
+        length "shift" 95.0;
+    },
     parameters: 3,
     unknowns: &[Unknown::angle("alpha", 30.0), Unknown::angle("beta", 105.0)],
     residual: |p| {

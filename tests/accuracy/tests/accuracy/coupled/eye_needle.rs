@@ -2,8 +2,8 @@
 
 use crate::coupled::{LIMITS, cases, sizes};
 use linkage_reference::{
-    Big, Datum, Depth, Form, Output, Plane, Position, Reference, System, Unknown, compare,
-    concatenate, forms,
+    Big, Depth, Form, Output, Plane, Position, Reference, System, compare, concatenate, data,
+    forms, unknowns,
 };
 
 macro_rules! eye_needle {
@@ -102,29 +102,17 @@ fn corner(p: &Position) -> Plane {
 
 const EYE_NEEDLE: System = System {
     name: "eye-needle drive, RR-RR-RR",
-    data: &[
-        Datum::length("l12", 50.0),
-        Datum::length("l23", 272.5),
-        Datum::length("l34", 81.0),
-        Datum::length("l45", 104.5),
-        Datum::length("l35", 174.0),
-        Datum::length("l46", 104.5),
-        Datum::length("l57", 261.0),
-        Datum::length("l78", 136.8),
-        Datum::degrees("angle_578", -25.0),
-        Datum::length("p6.x", 195.0),
-        Datum::length("p6.y", 226.0),
-        Datum::length("p7.x", 46.0),
-        Datum::length("p7.y", 533.0),
-        Datum::degrees("phi", 0.0),
-    ],
+    data: data! {
+        length "l12" 50.0, "l23" 272.5, "l34" 81.0, "l45" 104.5, "l35" 174.0, "l46" 104.5,
+            "l57" 261.0, "l78" 136.8;
+        degrees "angle_578" -25.0;
+        length "p6.x" 195.0, "p6.y" 226.0, "p7.x" 46.0, "p7.y" 533.0;
+        degrees "phi" 0.0;
+    },
     parameters: 13,
-    unknowns: &[
-        Unknown::angle("phi23", 62.0),
-        Unknown::angle("phi34", 146.0),
-        Unknown::angle("phi64", 144.0),
-        Unknown::angle("phi75", -99.0),
-    ],
+    unknowns: unknowns! {
+        angle "phi23" 62.0, "phi34" 146.0, "phi64" 144.0, "phi75" -99.0;
+    },
     residual: |p| {
         let fourth = third(p) + p.polar("l34", "phi34") - p.point("p6") - p.polar("l46", "phi64");
         let fifth = third(p) + p.polar("l35", "phi34").turned(&corner(p))

@@ -2,7 +2,7 @@
 
 use crate::coupled::{LIMITS, cases, sizes};
 use linkage_reference::{
-    Big, Datum, Depth, Form, Output, Plane, Position, System, Unknown, compare, forms,
+    Big, Depth, Form, Output, Plane, Position, System, compare, data, forms, unknowns,
 };
 
 // Two ternary links on a common pin, each on two legs: six unknowns in three loops.
@@ -17,35 +17,17 @@ fn pin(p: &Position) -> Plane {
 
 const PLATFORMS: System = System {
     name: "two platforms, three loops",
-    data: &[
-        Datum::length("crank", 10.0),
-        Datum::length("a2.x", 109.0),
-        Datum::length("a2.y", 1.0),
-        Datum::length("a3.x", 195.0),
-        Datum::length("a3.y", 20.0),
-        Datum::length("a4.x", 105.0),
-        Datum::length("a4.y", 172.0),
-        Datum::length("l1", 60.0),
-        Datum::length("l2", 73.0),
-        Datum::length("l3", 61.0),
-        Datum::length("l4", 84.0),
-        Datum::length("b", 80.0),
-        Datum::length("c", 90.0),
-        Datum::degrees("at_c", 75.0),
-        Datum::length("d", 96.0),
-        Datum::length("e", 80.0),
-        Datum::degrees("at_e", 90.0),
-        Datum::degrees("phi", 30.0),
-    ],
+    data: data! {
+        length "crank" 10.0, "a2.x" 109.0, "a2.y" 1.0, "a3.x" 195.0, "a3.y" 20.0, "a4.x" 105.0,
+            "a4.y" 172.0, "l1" 60.0, "l2" 73.0, "l3" 61.0, "l4" 84.0, "b" 80.0, "c" 90.0;
+        degrees "at_c" 75.0;
+        length "d" 96.0, "e" 80.0;
+        degrees "at_e" 90.0, "phi" 30.0;
+    },
     parameters: 17,
-    unknowns: &[
-        Unknown::angle("x1", 92.0),
-        Unknown::angle("x2", -172.0),
-        Unknown::angle("x3", -153.0),
-        Unknown::angle("x4", -43.0),
-        Unknown::angle("one", -68.0),
-        Unknown::angle("two", -62.0),
-    ],
+    unknowns: unknowns! {
+        angle "x1" 92.0, "x2" -172.0, "x3" -153.0, "x4" -43.0, "one" -68.0, "two" -62.0;
+    },
     residual: |p| {
         let second = first(p) + p.polar("b", "one") - p.point("a2") - p.polar("l2", "x2");
         let third = pin(p) + p.polar("d", "two") - p.point("a3") - p.polar("l3", "x3");
@@ -121,29 +103,20 @@ fn third(p: &Position) -> Plane {
 
 const TWO_CRANKS: System = System {
     name: "two cranks, RR-RR-PR",
-    data: &[
-        Datum::length("l12", 13.0),
-        Datum::length("l67", 11.0),
-        Datum::length("p7.x", 82.0),
-        Datum::length("p7.y", 22.0),
-        Datum::length("l23", 68.0),
-        Datum::length("l64", 85.0),
-        Datum::length("l34", 66.0),
-        Datum::length("l35", 40.0),
-        Datum::degrees("angle_435", -65.0),
-        Datum::length("n1.x", 28.0),
-        Datum::degrees("guide", 90.0),
-        Datum::length("l58", 40.0),
-        Datum::degrees("angle_58", 30.0),
-        Datum::degrees("phi", 0.0),
-    ],
+    data: data! {
+        length "l12" 13.0, "l67" 11.0, "p7.x" 82.0, "p7.y" 22.0, "l23" 68.0, "l64" 85.0,
+            "l34" 66.0, "l35" 40.0;
+        degrees "angle_435" -65.0;
+        length "n1.x" 28.0;
+        degrees "guide" 90.0;
+        length "l58" 40.0;
+        degrees "angle_58" 30.0, "phi" 0.0;
+    },
     parameters: 13,
-    unknowns: &[
-        Unknown::angle("phi23", 105.0),
-        Unknown::angle("phi34", 29.0),
-        Unknown::angle("phi64", 118.0),
-        Unknown::slide("s", 42.0),
-    ],
+    unknowns: unknowns! {
+        angle "phi23" 105.0, "phi34" 29.0, "phi64" 118.0;
+        slide "s" 42.0;
+    },
     residual: |p| {
         let sixth = p.point("p7") + p.polar("l67", "phi");
         let fourth = third(p) + p.polar("l34", "phi34") - sixth - p.polar("l64", "phi64");

@@ -2,7 +2,7 @@
 
 use super::{FITTING, FIXED, FIXED_PLAN, LIMITS, SLIDER_CRANK, geometry};
 use linkage_reference::{
-    Datum, Depth, Form, Plan, Random, System, Unknown, compare, dead_point_cases, decade_cases,
+    Depth, Form, Plan, Random, System, Unknown, compare, data, dead_point_cases, decade_cases,
     edge, forms, proportion_cases, scale_cases, wide_scale_cases,
 };
 
@@ -77,15 +77,12 @@ fn extreme_scales_and_proportions() {
 
 const MOVING_GUIDE: System = System {
     name: "moving guide",
-    data: &[
-        Datum::length("crank", 30.0),
-        Datum::length("rod", 100.0),
-        Datum::length("guide.x", 0.0),
-        Datum::length("guide.y", 10.0),
-        Datum::degrees("gamma", 5.0),
-        Datum::ratio("ratio", 0.25),
-        Datum::degrees("phi", 30.0),
-    ],
+    data: data! {
+        length "crank" 30.0, "rod" 100.0, "guide.x" 0.0, "guide.y" 10.0;
+        degrees "gamma" 5.0;
+        ratio "ratio" 0.25;
+        degrees "phi" 30.0;
+    },
     parameters: 6,
     unknowns: &[Unknown::angle("theta", 3.0), Unknown::slide("s", 126.0)],
     pairs: &[(0, 1), (4, 5)],

@@ -3,7 +3,7 @@
 use super::LIMITS;
 use linkage_reference::{
     Big, Datum, Depth, Form, Output, Plan, Position, Space, System, Unknown, compare, cycle_cases,
-    dead_point_cases, edge, forms,
+    data, dead_point_cases, edge, forms,
 };
 
 /// The unit vector on the output shaft whose axis is bent away from z towards x.
@@ -27,13 +27,9 @@ fn spherical_input(p: &Position) -> Space {
 
 const SPHERICAL: System = System {
     name: "spherical four-bar",
-    data: &[
-        Datum::degrees("eta", 25.0),
-        Datum::degrees("alpha", 75.0),
-        Datum::degrees("beta", 60.0),
-        Datum::degrees("bend", 70.0),
-        Datum::degrees("phi", 60.0),
-    ],
+    data: data! {
+        degrees "eta" 25.0, "alpha" 75.0, "beta" 60.0, "bend" 70.0, "phi" 60.0;
+    },
     parameters: 4,
     unknowns: &[Unknown::angle("psi", 65.0)],
     residual: |p| {

@@ -2,8 +2,8 @@
 
 use super::LIMITS;
 use linkage_reference::{
-    Big, Datum, Depth, Form, Output, Plan, Position, Space, System, Unknown, compare, cycle_cases,
-    edge, far_input_cases, forms, proportion_cases, reach_gap, scale_cases, wide_scale_cases,
+    Big, Depth, Form, Output, Plan, Position, Space, System, compare, cycle_cases, data, edge,
+    far_input_cases, forms, proportion_cases, reach_gap, scale_cases, unknowns, wide_scale_cases,
 };
 use nalgebra::Vector3;
 
@@ -27,22 +27,14 @@ fn turning(p: &Position) -> Space {
 
 const LENGTHS: System = System {
     name: "three lengths",
-    data: &[
-        Datum::length("crank", 20.0),
-        Datum::length("base.x", 30.0),
-        Datum::length("base.y", -15.0),
-        Datum::length("base.z", 25.0),
-        Datum::degrees("one", 10.0),
-        Datum::degrees("two", 20.0),
-        Datum::degrees("tilt", 15.0),
-        Datum::degrees("phi", 30.0),
-    ],
+    data: data! {
+        length "crank" 20.0, "base.x" 30.0, "base.y" -15.0, "base.z" 25.0;
+        degrees "one" 10.0, "two" 20.0, "tilt" 15.0, "phi" 30.0;
+    },
     parameters: 7,
-    unknowns: &[
-        Unknown::slide("s", 10.0),
-        Unknown::slide("t", -20.0),
-        Unknown::slide("v", 30.0),
-    ],
+    unknowns: unknowns! {
+        slide "s" 10.0, "t" -20.0, "v" 30.0;
+    },
     residual: |p| {
         let [one, two] = guides(p);
         let sum = pin(p)
@@ -117,23 +109,15 @@ fn link(p: &Position) -> Space {
 
 const ANGLE: System = System {
     name: "two lengths and an angle",
-    data: &[
-        Datum::length("crank", 15.0),
-        Datum::length("link", 60.0),
-        Datum::length("base.x", 30.0),
-        Datum::length("base.y", -15.0),
-        Datum::length("base.z", 25.0),
-        Datum::degrees("one", 10.0),
-        Datum::degrees("two", 60.0),
-        Datum::degrees("tilt", 25.0),
-        Datum::degrees("phi", 30.0),
-    ],
+    data: data! {
+        length "crank" 15.0, "link" 60.0, "base.x" 30.0, "base.y" -15.0, "base.z" 25.0;
+        degrees "one" 10.0, "two" 60.0, "tilt" 25.0, "phi" 30.0;
+    },
     parameters: 8,
-    unknowns: &[
-        Unknown::slide("s", 60.0),
-        Unknown::slide("t", 10.0),
-        Unknown::angle("psi", 37.0),
-    ],
+    unknowns: unknowns! {
+        slide "s" 60.0, "t" 10.0;
+        angle "psi" 37.0;
+    },
     residual: |p| {
         let [one, two] = guides(p);
         let sum = pin(p) + one.times(p.slide("s")) + two.times(p.slide("t"));

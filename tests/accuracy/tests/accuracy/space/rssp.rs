@@ -3,7 +3,7 @@
 use super::{LIMITS, direction};
 use linkage::Dual;
 use linkage_reference::{
-    Datum, Depth, Form, Output, Plan, Position, ROUNDOFF, Random, Space, System, Unknown, compare,
+    Depth, Form, Output, Plan, Position, ROUNDOFF, Random, Space, System, Unknown, compare, data,
     decade_cases, edge, forms, line_gap, proportion_cases,
 };
 use nalgebra::Vector3;
@@ -18,17 +18,11 @@ fn pin(p: &Position) -> Space {
 
 const RSSP: System = System {
     name: "RSSP",
-    data: &[
-        Datum::length("crank", 12.0),
-        Datum::length("rod", 60.0),
-        Datum::length("rail.x", 20.0),
-        Datum::length("rail.y", -10.0),
-        Datum::length("rail.z", 15.0),
-        Datum::ratio("guide.x", 0.9),
-        Datum::ratio("guide.y", 0.3),
-        Datum::ratio("guide.z", 0.4),
-        Datum::degrees("phi", 60.0),
-    ],
+    data: data! {
+        length "crank" 12.0, "rod" 60.0, "rail.x" 20.0, "rail.y" -10.0, "rail.z" 15.0;
+        ratio "guide.x" 0.9, "guide.y" 0.3, "guide.z" 0.4;
+        degrees "phi" 60.0;
+    },
     parameters: 8,
     unknowns: &[Unknown::slide("s", 40.0)],
     residual: |p| {

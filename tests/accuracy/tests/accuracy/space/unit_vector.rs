@@ -2,8 +2,8 @@
 
 use super::{LIMITS, direction};
 use linkage_reference::{
-    Big, Datum, Form, Plan, Position, Random, Space, System, Unknown, edge, forms, line_gap,
-    planes_line,
+    Big, Form, Plan, Position, Random, Space, System, data, edge, forms, line_gap, planes_line,
+    unknowns,
 };
 use nalgebra::Vector3;
 
@@ -28,20 +28,14 @@ fn as_length(p: &Position, number: Big) -> Big {
 
 const NORMAL: System = System {
     name: "unit vector at two angles",
-    data: &[
-        Datum::length("reach", 20.0),
-        Datum::length("lift", 50.0),
-        Datum::length("shadow", 15.0),
-        Datum::degrees("tilt", 75.0),
-        Datum::degrees("beta", 80.0),
-        Datum::degrees("phi", 60.0),
-    ],
+    data: data! {
+        length "reach" 20.0, "lift" 50.0, "shadow" 15.0;
+        degrees "tilt" 75.0, "beta" 80.0, "phi" 60.0;
+    },
     parameters: 5,
-    unknowns: &[
-        Unknown::number("n.x", 0.2),
-        Unknown::number("n.y", 0.97),
-        Unknown::number("n.z", -0.1),
-    ],
+    unknowns: unknowns! {
+        number "n.x" 0.2, "n.y" 0.97, "n.z" -0.1;
+    },
     residual: |p| {
         let n = p.space("n");
         vec![

@@ -4,8 +4,8 @@ pub(crate) mod three_distances;
 
 use crate::space::{LIMITS, direction};
 use linkage_reference::{
-    Big, Datum, Depth, Form, Plan, Position, Random, Space, System, Unknown, compare, edge, forms,
-    line_gap, planes_line, proportion_cases, scale_cases,
+    Big, Depth, Form, Plan, Position, Random, Space, System, compare, data, edge, forms, line_gap,
+    planes_line, proportion_cases, scale_cases, unknowns,
 };
 use nalgebra::{Matrix3, Vector3};
 
@@ -55,25 +55,18 @@ fn directions(random: &mut Random, sign: f64) -> [Vector3<f64>; 3] {
 
 const ONE: System = System {
     name: "one distance and two planes",
-    data: &[
-        Datum::length("crank", 10.0),
-        Datum::length("l1", 45.0),
-        Datum::ratio("m.x", 0.8),
-        Datum::ratio("m.y", -0.3),
-        Datum::ratio("m.z", 0.1),
-        Datum::length("at_m", 10.0),
-        Datum::ratio("n.x", 0.1),
-        Datum::ratio("n.y", 0.9),
-        Datum::ratio("n.z", 0.2),
-        Datum::length("at_n", 13.0),
-        Datum::degrees("phi", 30.0),
-    ],
+    data: data! {
+        length "crank" 10.0, "l1" 45.0;
+        ratio "m.x" 0.8, "m.y" -0.3, "m.z" 0.1;
+        length "at_m" 10.0;
+        ratio "n.x" 0.1, "n.y" 0.9, "n.z" 0.2;
+        length "at_n" 13.0;
+        degrees "phi" 30.0;
+    },
     parameters: 10,
-    unknowns: &[
-        Unknown::slide("p.x", 26.0),
-        Unknown::slide("p.y", 21.0),
-        Unknown::slide("p.z", -41.0),
-    ],
+    unknowns: unknowns! {
+        slide "p.x" 26.0, "p.y" 21.0, "p.z" -41.0;
+    },
     residual: |p| {
         vec![
             distance(p, &pin(p), "l1"),

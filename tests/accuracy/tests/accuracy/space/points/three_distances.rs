@@ -3,8 +3,8 @@
 use super::{PHI, directions, distance, pin, pin_of, plane, radical};
 use crate::space::{LIMITS, direction};
 use linkage_reference::{
-    Datum, Depth, Form, Plan, Random, System, Unknown, compare, cycle_cases, edge, forms, line_gap,
-    planes_line, proportion_cases, scale_cases,
+    Depth, Form, Plan, Random, System, compare, cycle_cases, data, edge, forms, line_gap,
+    planes_line, proportion_cases, scale_cases, unknowns,
 };
 use nalgebra::Vector3;
 
@@ -12,25 +12,15 @@ use nalgebra::Vector3;
 
 const THREE: System = System {
     name: "three distances",
-    data: &[
-        Datum::length("crank", 10.0),
-        Datum::length("two.x", 60.0),
-        Datum::length("two.y", 5.0),
-        Datum::length("two.z", 3.0),
-        Datum::length("three.x", 20.0),
-        Datum::length("three.y", 55.0),
-        Datum::length("three.z", -2.0),
-        Datum::length("l1", 45.0),
-        Datum::length("l2", 57.0),
-        Datum::length("l3", 52.0),
-        Datum::degrees("phi", 30.0),
-    ],
+    data: data! {
+        length "crank" 10.0, "two.x" 60.0, "two.y" 5.0, "two.z" 3.0, "three.x" 20.0,
+            "three.y" 55.0, "three.z" -2.0, "l1" 45.0, "l2" 57.0, "l3" 52.0;
+        degrees "phi" 30.0;
+    },
     parameters: 10,
-    unknowns: &[
-        Unknown::slide("p.x", 26.0),
-        Unknown::slide("p.y", 20.0),
-        Unknown::slide("p.z", -40.0),
-    ],
+    unknowns: unknowns! {
+        slide "p.x" 26.0, "p.y" 20.0, "p.z" -40.0;
+    },
     residual: |p| {
         vec![
             distance(p, &pin(p), "l1"),
@@ -151,25 +141,16 @@ fn both_sides_of_the_dead_point() {
 
 const TWO: System = System {
     name: "two distances and a plane",
-    data: &[
-        Datum::length("crank", 10.0),
-        Datum::length("two.x", 60.0),
-        Datum::length("two.y", 5.0),
-        Datum::length("two.z", 3.0),
-        Datum::length("l1", 45.0),
-        Datum::length("l2", 57.0),
-        Datum::ratio("normal.x", 0.1),
-        Datum::ratio("normal.y", 0.9),
-        Datum::ratio("normal.z", 0.2),
-        Datum::length("height", 13.0),
-        Datum::degrees("phi", 30.0),
-    ],
+    data: data! {
+        length "crank" 10.0, "two.x" 60.0, "two.y" 5.0, "two.z" 3.0, "l1" 45.0, "l2" 57.0;
+        ratio "normal.x" 0.1, "normal.y" 0.9, "normal.z" 0.2;
+        length "height" 13.0;
+        degrees "phi" 30.0;
+    },
     parameters: 10,
-    unknowns: &[
-        Unknown::slide("p.x", 25.0),
-        Unknown::slide("p.y", 21.0),
-        Unknown::slide("p.z", -40.0),
-    ],
+    unknowns: unknowns! {
+        slide "p.x" 25.0, "p.y" 21.0, "p.z" -40.0;
+    },
     residual: |p| {
         vec![
             distance(p, &pin(p), "l1"),

@@ -4,8 +4,8 @@ mod stress;
 
 use super::{LIMITS, direction};
 use linkage_reference::{
-    Datum, Depth, Form, Output, Plan, Position, Space, System, Unknown, circle_gap, compare,
-    cycle_cases, forms,
+    Depth, Form, Output, Plan, Position, Space, System, Unknown, circle_gap, compare, cycle_cases,
+    data, forms,
 };
 use nalgebra::Vector3;
 
@@ -38,18 +38,11 @@ fn end(p: &Position) -> Space {
 
 pub(crate) const RSSR: System = System {
     name: "RSSR",
-    data: &[
-        Datum::length("crank", 10.0),
-        Datum::length("coupler", 50.0),
-        Datum::length("rocker", 30.0),
-        Datum::length("lift", 3.0),
-        Datum::length("pivot.x", 40.0),
-        Datum::length("pivot.y", 10.0),
-        Datum::length("pivot.z", 5.0),
-        Datum::degrees("gamma1", 50.0),
-        Datum::degrees("gamma2", 10.0),
-        Datum::degrees("phi", 60.0),
-    ],
+    data: data! {
+        length "crank" 10.0, "coupler" 50.0, "rocker" 30.0, "lift" 3.0, "pivot.x" 40.0,
+            "pivot.y" 10.0, "pivot.z" 5.0;
+        degrees "gamma1" 50.0, "gamma2" 10.0, "phi" 60.0;
+    },
     parameters: 9,
     unknowns: &[Unknown::angle("psi", 100.0)],
     residual: |p| vec![(end(p) - pin(p)).norm() - p.value("coupler")],
