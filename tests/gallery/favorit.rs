@@ -27,7 +27,7 @@ fn known_answers_are_met() -> Result<(), Box<dyn Error>> {
 
     println!("\nAgainst the publication:");
     let mut check = Check::default();
-    let columns = published_columns();
+    let columns = columns(include_str!("../../mechanisms/favorit/tables.csv"));
     let complete = columns.len() == 63 && columns.iter().all(|(_, rows)| rows.len() == 25);
     check.holds("63 columns of 25 rows", complete);
 
@@ -146,10 +146,11 @@ fn differences<'a>(
     })
 }
 
-/// The printed columns: lines `name,unit,25 values`, the row labels left out.
-fn published_columns() -> Vec<(&'static str, Vec<f64>)> {
-    let lines = include_str!("../../mechanisms/favorit/tables.csv").lines();
-    let columns = lines.filter(|line| !line.starts_with('#') && !line.starts_with("label"));
+/// The columns of a printed table: lines `name,unit,25 values`, the row labels left out.
+pub(crate) fn columns(table: &'static str) -> Vec<(&'static str, Vec<f64>)> {
+    let columns = table
+        .lines()
+        .filter(|line| !line.starts_with('#') && !line.starts_with("label"));
     columns
         .map(|line| {
             let mut cells = line.split(',');
