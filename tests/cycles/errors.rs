@@ -1,6 +1,6 @@
 //! Errors that tolerances cause, as figures: against `Effects` and `Budget`, over the whole range against samples.
 
-use super::derivatives::slopes_agree;
+use super::optima::slopes_agree;
 use super::{
     N, Rocker, RockerAssembly, course, design, effects, errors, errors_within, figure, one_sided,
     second, tip, tolerances,

@@ -1,24 +1,17 @@
 //! Design problems of whole cycles: derivatives of all figures against differences, optima against other ways to them, messages.
 
-mod assemblies;
-mod derivatives;
 mod divided;
 mod drives;
 mod dwells;
-mod edges;
 mod errors;
 mod fit;
 mod forces;
-mod front;
 mod judged;
-mod length;
 mod messages;
 mod optima;
 mod relations;
-mod seeds;
 mod starts;
 mod verified;
-mod whole;
 
 use linkage::Dimensions;
 use linkage::design::{

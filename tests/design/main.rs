@@ -1,8 +1,6 @@
 //! Searches of dimensions: wishes with their derivatives, what must hold, messages.
 
 mod derivatives;
-mod engine;
-mod evenly;
 mod interruptions;
 mod judge;
 mod known;
@@ -10,7 +8,6 @@ mod messages;
 mod parts;
 mod reach;
 mod reproducible;
-mod seeds;
 mod space;
 mod verified;
 mod whole;

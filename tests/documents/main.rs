@@ -7,7 +7,6 @@ use measures::lines;
 
 mod book;
 mod crates;
-mod examples;
 mod links;
 mod measures;
 mod prose;

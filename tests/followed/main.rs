@@ -3,21 +3,18 @@
 
 mod body;
 mod closest_approach;
-mod differences;
 mod double_wishbone;
-mod driven_arm;
 mod five_link_axle;
 mod hexapod;
 #[path = "../programs/hexapod/geometry.rs"]
 mod hexapod_geometry;
 mod independent;
-mod random_axles;
 mod random_hexapods;
-mod turns;
 mod two_bodies;
 mod wishbone_forms;
 
 use hexapod_geometry::{FEET, JOINTS};
+use nalgebra::Vector3;
 use serde_json::Value;
 
 /// Whether the long runs are asked for.
@@ -55,4 +52,20 @@ fn close(found: f64, expected: f64, scale: f64, tolerance: f64) {
         "{found} instead of {expected}, off by {:e} of {scale}",
         (found - expected).abs() / scale
     );
+}
+
+// Derivatives as differences: of inputs, and of dimensions.
+
+/// Steps of inputs and dimensions, in mm.
+const STEP: f64 = 1e-2;
+
+/// Differences over such steps are off by this part of the largest number of their kind, at most.
+const OFF: f64 = 1e-6;
+
+/// `scale` is the largest number of the kind.
+#[track_caller]
+fn near(found: Vector3<f64>, [after, before]: [Vector3<f64>; 2], scale: f64) {
+    let expected = (after - before) / (2.0 * STEP);
+    let pairs = found.iter().zip(&expected);
+    pairs.for_each(|(&found, &expected)| close(found, expected, scale, OFF));
 }

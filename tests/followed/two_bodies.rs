@@ -1,17 +1,15 @@
 //! Two bodies that can only be solved together, since rods stand between them: a wheel carrier by the travel of the wheel, and the cradle that its
 //! inner rods end on, which hangs on rods itself. Positions against an independent solver, derivatives against differences.
 
-mod held;
-
 use linkage::Dimensions;
 use linkage_interpreted::interpreted;
 use linkage_random::Random;
 use nalgebra::{UnitQuaternion, Vector3};
 
-use super::differences::{STEP, near};
 use super::independent::Pose;
+use super::independent::{End, Held};
 use super::long;
-use held::{End, Held};
+use super::{STEP, near};
 
 interpreted! {
     pub struct Cradled {

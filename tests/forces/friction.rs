@@ -273,21 +273,7 @@ interpreted! {
 
 /// The machine without friction.
 fn frictionless(m: &Greased, at: &GreasedMotion, rate: Rate, press: f64) -> Instant {
-    let mut all = Instant::new(true, 100.0, NEWTON, Vector::new(0.0, -9806.65, 0.0));
-    let [p2, p3, c1, c2, tip] = [at.p2, at.p3, at.c1, at.c2, at.tip].map(flat);
-    let crank = rate.pivot(Vector2::zeros(), [1.0, 0.0]);
-    let crank = Some(all.body(crank.add_mass(m.m1, c1)));
-    let rod = rate.plane([at.p2, at.v2, at.a2], [at.w2, at.e2]);
-    all.body(rod.add_mass(m.m2, c2).add_inertia(disc(m.i2)));
-    let slider = rate.plane([at.p3, at.v3, at.a3], [0.0, 0.0]);
-    let slider = Some(all.body(slider.add_mass(m.m3, tip)));
-    let way = Vector::new(m.lean.cos(), m.lean.sin(), 0.0);
-    all.driven(pin(), 0, None, Vector::zeros());
-    all.joint(pin(), 1, crank, p2);
-    all.joint(pin(), 1, slider, p3);
-    all.joint(Kind::Slide(way), 2, None, p3);
-    all.force([slider, None], tip, Vector::new(-press, press / 4.0, 0.0));
-    all
+    super::slider_crank::bodies!(m, at, rate, press).0
 }
 
 /// The contact forces of the four joints that some reactions are.

@@ -6,7 +6,7 @@
 use nalgebra::{DMatrix, DVector};
 
 use super::Vector;
-use super::body::Body;
+use super::joint::Body;
 use super::joint::{Joint, Kind};
 use super::solution::Solution;
 

@@ -7,9 +7,9 @@
 //!
 //! All 63 published columns agree to their last digit. `UPDATE=1` writes the picture of the README.
 
-mod picture;
-
 use crate::check::Check;
+use crate::folders;
+use linkage::report::Report;
 use linkage::{true_acceleration, true_velocity};
 use std::error::Error;
 use std::f64::consts::{PI, TAU};
@@ -27,7 +27,7 @@ fn known_answers_are_met() -> Result<(), Box<dyn Error>> {
 
     println!("\nAgainst the publication:");
     let mut check = Check::default();
-    let columns = published_columns();
+    let columns = columns(include_str!("../../mechanisms/favorit/tables.csv"));
     let complete = columns.len() == 63 && columns.iter().all(|(_, rows)| rows.len() == 25);
     check.holds("63 columns of 25 rows", complete);
 
@@ -146,10 +146,11 @@ fn differences<'a>(
     })
 }
 
-/// The printed columns: lines `name,unit,25 values`, the row labels left out.
-fn published_columns() -> Vec<(&'static str, Vec<f64>)> {
-    let lines = include_str!("../../mechanisms/favorit/tables.csv").lines();
-    let columns = lines.filter(|line| !line.starts_with('#') && !line.starts_with("label"));
+/// The columns of a printed table: lines `name,unit,25 values`, the row labels left out.
+pub(crate) fn columns(table: &'static str) -> Vec<(&'static str, Vec<f64>)> {
+    let columns = table
+        .lines()
+        .filter(|line| !line.starts_with('#') && !line.starts_with("label"));
     columns
         .map(|line| {
             let mut cells = line.split(',');
@@ -162,4 +163,36 @@ fn published_columns() -> Vec<(&'static str, Vec<f64>)> {
             (name, values)
         })
         .collect()
+}
+
+// The drive as a drawing that moves.
+
+/// Positions of its cycle of two turns, one for each four degrees.
+const POSITIONS: usize = 181;
+/// Seconds of a cycle: slow enough for both cranks to be followed.
+const CYCLE: f64 = 6.0;
+
+fn moving() -> Result<String, Box<dyn Error>> {
+    let linkage = Favorit::default().assemble()?;
+    let phi = Favorit::INPUTS[0].positions(POSITIONS);
+    let shapes = linkage.picture_sweep(&phi);
+    let report = Report::new("Hook-needle drive", &Favorit::INPUTS[0], &phi).table(&shapes);
+    Ok(report.drawing()?.trace("p10").moving(CYCLE).svg()?)
+}
+
+/// The README shows this drawing; `UPDATE=1` writes it.
+#[test]
+fn the_picture_of_the_readme_is_current() -> Result<(), Box<dyn Error>> {
+    let drawn = moving()?;
+    let file = folders::docs("favorit.svg");
+    if folders::is_update() {
+        std::fs::write(&file, &drawn)?;
+    }
+    assert!(
+        drawn == std::fs::read_to_string(file)?,
+        "docs/favorit.svg is not current"
+    );
+    // Of a page that is read over the network.
+    assert!(drawn.len() < 60_000, "{} bytes", drawn.len());
+    Ok(())
 }

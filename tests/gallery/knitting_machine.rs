@@ -10,18 +10,22 @@
 mod checks;
 mod drives;
 mod members;
-mod page;
 mod published;
-mod scene;
 
 use crate::check::Check;
 use crate::folders;
-use drives::{KnittingMachine, KnittingMachineAssembly};
+use drives::{EyeNeedle, HookNeedle, KnittingMachine, KnittingMachineAssembly, Press, Sinker};
 use linkage::clearance::Clearance;
+use linkage::cyclogram::Cyclogram;
 use linkage::report::Report;
+use linkage::summary::Curve;
 use linkage::tolerance::Tolerances;
-use members::DIMENSIONS;
+use linkage::{Scene, Structure};
+use members::{CYCLE, DIMENSIONS};
+use std::cell::Cell;
 use std::error::Error;
+use std::f64::consts::TAU;
+use std::path::Path;
 
 /// The gear on the shaft of the eye needle.
 const SLOTS: f64 = 48.0;
@@ -89,11 +93,11 @@ fn known_answers_are_met() -> Result<(), Box<dyn Error>> {
     published::clearance(&mut check, &machine, &clearance, best);
     published::cyclogram(&mut check, &cyclogram);
     println!("Operations of a frame, with parts switched on and off:");
-    scene::parts(&machine, &mut check);
+    parts(&machine, &mut check);
 
     println!("The page:");
-    page::write(
-        &page::report(&machine, &told)?,
+    write(
+        &page(&machine, &told)?,
         &folders::target("knitting_machine"),
     )?;
     check.finish()
@@ -104,7 +108,7 @@ pub(crate) fn report() -> Result<Report, Box<dyn Error>> {
     let machine = KnittingMachine::default().assemble()?;
     let tolerances = Tolerances::<DIMENSIONS>::complete(KnittingMachine::PARAMETERS)?;
     let cyclogram = members::with_tolerances(members::cyclogram(&machine)?, &tolerances)?;
-    page::report(&machine, &cyclogram)
+    page(&machine, &cyclogram)
 }
 
 fn print_path(machine: &KnittingMachineAssembly) {
@@ -137,4 +141,129 @@ fn print_distance(machine: &KnittingMachineAssembly, clearance: &Clearance<2>) {
     for (name, effect) in effects.iter().take(8) {
         println!("  {name:16} {effect:8.2}");
     }
+}
+
+// The page of the machine.
+
+/// Every degree.
+const POSITIONS: usize = 361;
+
+/// What it shows: with the shifts by tolerances, if the cyclogram has them.
+fn page(
+    machine: &KnittingMachineAssembly,
+    cyclogram: &Cyclogram,
+) -> Result<Report, Box<dyn Error>> {
+    let input = KnittingMachine::INPUTS[0];
+    let shaft = input.positions(POSITIONS);
+    let distance = Curve::new(CYCLE, 90, |x| {
+        let m = machine.seen(x);
+        [m.seen.norm(), m.seen.dot(&m.v) / m.seen.norm()]
+    })?;
+    Ok(Report::new("Knitting machine", &input, &shaft)
+        .about("Hook needle, eye needle, sinkers and press on one shaft.")
+        .note("Dimensions are those of the drives' own examples; phases and places are chosen.")
+        .structure(KnittingMachine::STRUCTURE)
+        .modes(machine.modes())
+        .dimensions(machine.mechanism())
+        .programs(KnittingMachine::PROGRAMS)
+        .table(&machine.picture_sweep(&shaft))
+        .table(&machine.hook_sweep(&shaft))
+        .table(&machine.eye_way_sweep(&shaft))
+        .table(&machine.sinker_sweep(&shaft))
+        .table(&machine.press_sweep(&shaft))
+        .table(&machine.seen_sweep(&shaft))
+        // Along the shafts: x to the right, y upwards.
+        .view(-TAU / 4.0, TAU / 4.0)
+        .trace("hook.p10")
+        .trace("eye.p8")
+        .cyclogram(cyclogram)
+        .course("distance of the needles", "mm", &distance))
+}
+
+/// Writes it into a folder, and a drawing without names as `front.svg`.
+fn write(report: &Report, folder: &Path) -> Result<(), Box<dyn Error>> {
+    report.write(folder)?;
+    let front = report
+        .drawing()?
+        .names(false)
+        .trace("eye.p8")
+        .write(folder.join("front.svg"))?;
+    println!("       {}", front.display());
+    println!("       {}", folder.join("index.html").display());
+    Ok(())
+}
+
+// Parts of the machine in a scene: what is off costs nothing, to the operation.
+
+/// Operations of a call. There is no branch in it, so that is what every call costs.
+pub(crate) fn operations(structure: &Structure, function: &str) -> u32 {
+    let mut functions = structure.functions.iter();
+    let own = functions.find(|own| own.name == function);
+    own.map_or(u32::MAX, |own| own.operations.total())
+}
+
+pub(crate) fn parts(machine: &KnittingMachineAssembly, check: &mut Check) {
+    let of = |function| operations(KnittingMachine::STRUCTURE, function);
+    let [hook, eye, sinker, press] = ["hook", "eye", "sinker", "press"].map(of);
+    let alone = [
+        operations(HookNeedle::STRUCTURE, "motion"),
+        operations(EyeNeedle::STRUCTURE, "motion"),
+        operations(Sinker::STRUCTURE, "motion"),
+        operations(Press::STRUCTURE, "motion"),
+    ];
+    let here = [hook, eye, sinker, press];
+    println!("       in the machine {here:?}, alone {alone:?}");
+    check.holds("every drive takes what it takes alone", here == alone);
+
+    let done = Cell::new(0);
+    let spend = |cost: u32| done.set(done.get() + cost);
+    let mut scene = Scene::new();
+    let hooks = scene.add(|x: &f64| {
+        spend(hook);
+        machine.hook(*x)
+    });
+    let eyes = scene.add(|x| {
+        spend(eye);
+        machine.eye(*x)
+    });
+    let sinkers = scene.add(|x| {
+        spend(sinker);
+        machine.sinker(*x)
+    });
+    let presses = scene.add(|x| {
+        spend(press);
+        machine.press(*x)
+    });
+    // Two additions and a norm: what both needles have computed is not computed again.
+    let gaps = scene.add_of((hooks, eyes), |(hook, eye)| (eye.tip - hook.tip).norm());
+    let cost = |scene: &mut Scene<'_, f64>, x: f64| {
+        done.set(0);
+        (scene.update(x), done.get())
+    };
+    let all = hook + eye + sinker + press;
+    check.holds(
+        "all on: four parts, and what two of them are to each other",
+        cost(&mut scene, 0.1) == (5, all),
+    );
+    scene.switch_off(presses);
+    check.holds(
+        "without the press: as much less",
+        cost(&mut scene, 0.2) == (4, all - press),
+    );
+    scene.switch_off(sinkers);
+    check.holds(
+        "without the sinkers, too",
+        cost(&mut scene, 0.3) == (3, hook + eye),
+    );
+    check.holds("the same angle: nothing", cost(&mut scene, 0.3) == (0, 0));
+    scene.switch_off(eyes);
+    check.holds("the hook needle alone", cost(&mut scene, 0.4) == (1, hook));
+    check.holds("and no distance", scene.get(gaps).is_none());
+    scene.switch_on(eyes);
+    check.holds(
+        "the eye needle again: that, and the distance",
+        cost(&mut scene, 0.4) == (2, eye),
+    );
+    let known = (machine.eye(0.4).tip - machine.hook(0.4).tip).norm();
+    check.holds("which is the same", scene.get(gaps) == Some(&known));
 }

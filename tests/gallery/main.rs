@@ -20,15 +20,14 @@ mod mcpherson;
 mod reports;
 mod spatial_crank_rocker;
 mod suspension;
-mod templates;
 mod two_crank_triad;
 
 use linkage::report::{Index, Report};
+use reports::TEMPLATES;
 use std::error::Error;
 use std::io::Write;
 use std::path::Path;
 use std::time::Instant;
-use templates::TEMPLATES;
 
 /// The folder of a report and what makes it.
 type Job = (&'static str, fn() -> Result<Report, Box<dyn Error>>);
@@ -53,7 +52,7 @@ fn write(folder: &Path) -> Result<(), Box<dyn Error>> {
     let mut index = Index::new("Gallery of mechanisms");
     let jobs = JOBS.map(|(name, make)| (name.to_owned(), Box::new(make) as Make));
     let templates = TEMPLATES.iter().map(|(name, text)| {
-        let make = || templates::report(text);
+        let make = || reports::report(text);
         (format!("template_{name}"), Box::new(make) as Make)
     });
     let count = JOBS.len() + TEMPLATES.len();

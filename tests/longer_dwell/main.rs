@@ -9,20 +9,19 @@
 
 #[path = "../../examples/check/comparison.rs"]
 mod check;
-mod checks;
 mod drive;
 #[path = "../programs/folders.rs"]
 mod folders;
-mod page;
 
 use check::Check;
-use checks::{compare, compare_published, worst};
-use drive::{BAND, Drive, EyeNeedle, N, design, stroke, way};
+use drive::{BAND, Drive, EyeNeedle, EyeNeedleAssembly, N, PART, course, design, jet, stroke, way};
 use linkage::Dimensions;
 use linkage::design::Dwell;
+use linkage::report::{Aim, Compared, Comparison, Report};
+use linkage::summary::Curve;
 use linkage::tolerance::Tolerances;
-use page::{Design, compared};
 use std::error::Error;
+use std::path::{Path, PathBuf};
 use std::time::Instant;
 
 #[test]
@@ -109,4 +108,161 @@ fn print_dimensions(drawn: &Drive, built: &Drive) {
             parameter.name
         );
     }
+}
+
+// A page with the drives over each other.
+
+/// A drive that the page shows.
+pub(crate) struct Design<'a> {
+    pub(crate) name: &'static str,
+    pub(crate) assembly: &'a EyeNeedleAssembly,
+    /// Where it dwells, and for how long.
+    pub(crate) rest: [f64; 2],
+    /// The widest band over the dwell of drives that are built within the tolerances, in mm.
+    pub(crate) band: f64,
+}
+
+/// Writes the page; the first drive is what the others are compared with.
+fn compared(designs: &[Design<'_>], folder: &Path) -> Result<PathBuf, Box<dyn Error>> {
+    let mut reports = Vec::new();
+    for design in designs {
+        reports.push(report(design)?);
+    }
+    let about = format!(
+        "No length differs by more than 2 % from the published drive, and the stroke is kept. The dwell is where the way of \
+         the needle stays within {BAND} mm; built with tolerances of 20 um on all dimensions a drive needs the wider band."
+    );
+    let comparison = designs
+        .iter()
+        .zip(&reports)
+        .fold(
+            Comparison::new("A longer dwell").about(about),
+            |all, (design, report)| {
+                let compared = Compared::new(design.name, report)
+                    .figure("dwell", design.rest[1].to_degrees(), "deg")
+                    .figure("band when it is built", design.band, "mm");
+                all.design(compared)
+            },
+        )
+        .curves(["way", "v", "a"])
+        .front([Aim::most("dwell"), Aim::least("band when it is built")]);
+    Ok(comparison.write(folder)?)
+}
+
+fn report(design: &Design<'_>) -> Result<Report, Box<dyn Error>> {
+    let input = &EyeNeedle::INPUTS[0];
+    let phi = input.positions(361);
+    let assembly = design.assembly;
+    Ok(Report::new(design.name, input, &phi)
+        .dimensions(assembly.mechanism())
+        .structure(EyeNeedle::STRUCTURE)
+        .table(&assembly.motion_sweep(&phi))
+        .table(&assembly.picture_sweep(&phi))
+        .trace("p8")
+        .course("way", "mm", &course(assembly)?))
+}
+
+// What must hold of the drives, by other ways than those of the search.
+
+/// Where the published drive dwells, and for how long; it was read off positions every half degree.
+fn compare_published(
+    published: &EyeNeedleAssembly,
+    check: &mut Check,
+) -> Result<[f64; 2], Box<dyn Error>> {
+    let ways: Vec<f64> = (0..1440)
+        .map(|i| jet(published, (0.5 * f64::from(i % 720)).to_radians())[0])
+        .collect();
+    let steps = |from: usize| {
+        let (mut low, mut high) = (f64::MAX, f64::MIN);
+        let stays = |way: &&f64| {
+            (low, high) = (low.min(**way), high.max(**way));
+            high - low <= BAND
+        };
+        ways[from..].iter().take_while(stays).count() - 1
+    };
+    let longest = (0..720).map(steps).max().unwrap_or(0);
+    check.near("dwell by samples, degrees", 0.5 * longest as f64, 45.5, 0.0);
+    let exact = course(published)?
+        .longest_dwell(BAND)
+        .ok_or("no dwell")?
+        .interval;
+    check.near("exactly", exact.range.to_degrees(), 46.217, 1e-3);
+    Ok([exact.from, exact.range])
+}
+
+/// What must hold of a drive, by other ways than those of the search.
+fn compare(drive: &Drive, stroke: f64, check: &mut Check) -> Result<(), Box<dyn Error>> {
+    let found = course(&drive.assembly)?;
+    let dwell = found.longest_dwell(BAND).ok_or("no dwell")?;
+    println!("  dwell of {:.4} degrees", drive.goal.to_degrees());
+    check.holds("at least 94 degrees", drive.goal.to_degrees() >= 94.0);
+    check.holds(
+        "as long by the roots of the course",
+        dwell.interval.range >= drive.goal - 1e-9,
+    );
+    check.near("stroke, mm", found.position().stroke(), stroke, 1e-8);
+    let pairs = drive
+        .mechanism
+        .values()
+        .into_iter()
+        .zip(EyeNeedle::default().values());
+    let within = pairs
+        .clone()
+        .all(|(new, old)| (new - old).abs() <= PART * old.abs() * (1.0 + 1e-12));
+    check.holds("no length differs by more than 2 %", within);
+    let circuits = drive.mechanism.circuits()?;
+    let whole = circuits
+        .whole()
+        .any(|branch| branch.closed && branch.margin == drive.margin);
+    check.holds(
+        "assembled over the whole turn on one circuit",
+        whole && drive.margin > 0.5,
+    );
+    check.holds("the search has converged", drive.converged);
+    Ok(())
+}
+
+/// The widest band over a dwell, from and for so many radians, of drives whose dimensions are all at limits of their tolerances, or anywhere
+/// within.
+fn worst(
+    drive: &EyeNeedleAssembly,
+    [from, length]: [f64; 2],
+    tolerances: &Tolerances<N>,
+    check: &mut Check,
+) -> Result<f64, Box<dyn Error>> {
+    let (values, tolerances) = (drive.mechanism().values(), tolerances.values());
+    let band = |changes: [f64; N]| -> Result<f64, Box<dyn Error>> {
+        let other = EyeNeedle::from_values(&std::array::from_fn(|k| {
+            values[k] + changes[k] * tolerances[k]
+        }));
+        let assembly = other.assemble_from(drive)?;
+        Ok(
+            Curve::new((from, from + length), 60, |phi| jet(&assembly, phi))?
+                .position()
+                .stroke(),
+        )
+    };
+    // One in a hundred of all corners; in an optimised build all of them.
+    let step = if cfg!(debug_assertions) { 101 } else { 1 };
+    let (mut corners, mut inside) = (0.0_f64, 0.0_f64);
+    for corner in (0..1_u32 << N).step_by(step) {
+        let sign = |k: usize| if corner >> k & 1 == 1 { 1.0 } else { -1.0 };
+        corners = corners.max(band(std::array::from_fn(sign))?);
+        // A number between -1 and 1 for each dimension, from the bits of a multiple of the corner's number.
+        let part = |k: usize| {
+            f64::from(
+                (corner + 1)
+                    .wrapping_mul(2_654_435_761)
+                    .rotate_left(5 * k as u32)
+                    >> 16,
+            ) / 32_768.0
+                - 1.0
+        };
+        inside = inside.max(band(std::array::from_fn(part))?);
+    }
+    println!(
+        "  widest band over the dwell: {corners:.6} mm at limits of tolerances, {inside:.6} mm within them"
+    );
+    check.holds("it is wider at limits", inside <= corners);
+    Ok(corners)
 }

@@ -1,8 +1,8 @@
 //! Least distances of two needles, what dimensions do to them, and the phases that make them largest.
 
 use crate::Outcome;
-use crate::mechanisms::{TwoNeedles, TwoNeedlesAssembly};
-use crate::references::{derivatives, mutual, number, radians};
+use crate::{TwoNeedles, TwoNeedlesAssembly};
+use crate::{derivatives, mutual, number, radians};
 use linkage::Vector2;
 use linkage::clearance::{Clearance, Nearest, Optimum, Phases};
 use linkage::summary::positions;
@@ -30,8 +30,7 @@ pub(crate) fn placed(case: &Value, lead: f64) -> TwoNeedles {
 fn clearance(needles: &TwoNeedlesAssembly) -> Clearance<2> {
     let places: Vec<f64> = positions(CYCLE, POSITIONS).collect();
     let rows = needles.tips_sweep(&places);
-    let shapes =
-        |m: crate::mechanisms::Tips| ([[m.hook, m.hook_v, m.hook_a]], [[m.eye, m.eye_v, m.eye_a]]);
+    let shapes = |m: crate::Tips| ([[m.hook, m.hook_v, m.hook_a]], [[m.eye, m.eye_v, m.eye_a]]);
     let found = Clearance::swept(
         CYCLE,
         POSITIONS,

@@ -1,8 +1,8 @@
 //! Dwells and extremes of three drives, with what dimensions do to their angles.
 
 use crate::Outcome;
-use crate::mechanisms::{TwoCranks, TwoNeedles};
-use crate::references::{cyclogram, derivatives, number, radians};
+use crate::{TwoCranks, TwoNeedles};
+use crate::{cyclogram, derivatives, number, radians};
 use linkage::Parameter;
 use linkage::cyclogram::{Band, Cyclogram, CyclogramError, Member, Motion};
 use linkage::summary::{Curve, positions};

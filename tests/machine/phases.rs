@@ -1,8 +1,8 @@
 //! Several phases at once: against the references of one, and against dense searches of two and three.
 
 use crate::Outcome;
-use crate::references::{mutual, number};
 use crate::waves::{A, B, C, CYCLE, D, POSITIONS, RANGE, member};
+use crate::{mutual, number};
 use linkage::clearance::{BestPhases, PhaseSet, Phases};
 use std::f64::consts::TAU;
 

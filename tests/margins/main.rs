@@ -1,7 +1,6 @@
 //! One mechanism, one margin: a coupled group measures the same however it is written.
 
 mod groups;
-mod space;
 mod triads;
 
 /// What spellings of one mechanism have for margins at a position, all assemblies in order.

@@ -6,7 +6,6 @@
 //! platform that has the most real ones, and of this one at both ends of the path, each certified; without optimisation that takes long, and is left out
 //! but with `LINKAGE_LONG=1`.
 
-mod assemblies;
 mod geometry;
 mod platform;
 mod workspace;
@@ -45,7 +44,7 @@ fn known_answers_are_met() -> Result<(), Box<dyn Error>> {
     workspace::show(&mut check, start, &to_legs, &folders::target("hexapod"))?;
     if !cfg!(debug_assertions) || std::env::var_os("LINKAGE_LONG").is_some() {
         println!("All assemblies:");
-        assemblies::show(&mut check)?;
+        workspace::show_assemblies(&mut check)?;
     }
     check.finish()
 }

@@ -2,6 +2,7 @@
 
 mod andrews;
 mod ankle;
+mod beyond_examples;
 mod burmester;
 mod calibrate;
 #[path = "../../examples/check/comparison.rs"]
@@ -13,14 +14,10 @@ mod double_double;
 mod eye_needle_accuracy;
 mod folders;
 mod four_bar_paths;
-mod geared_five_bar;
 mod hexapod;
-mod hydraulic_cylinder;
 mod machine;
 mod needle_drive;
-mod quick_return;
 mod spatial_slider_crank;
 mod stability;
 mod trammel;
 mod tutorial;
-mod universal_joint;

@@ -1,7 +1,7 @@
 //! What must hold of the presses, by other ways than those of the search.
 
 use crate::check::Check;
-use crate::press::{
+use crate::{
     Found, Press, PressAssembly, SIDE, SPEED, Trade, design, print, sampled, shaking, torque,
 };
 use linkage::balancing::Balance;

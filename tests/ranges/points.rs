@@ -28,36 +28,24 @@ fn the_words_are_those_of_the_compiler() {
 
 #[test]
 fn a_later_group_has_findings_of_its_own() {
+    let groups = |six_bar: SixBar| {
+        let linkage = six_bar.assemble().expect("it closes at the reference");
+        let found = linkage.check_range().findings;
+        let groups = found.iter().map(|finding| (finding.group, finding.kind));
+        groups.collect::<Vec<_>>()
+    };
     let own = SixBar {
         rod: 50.0,
         height: 100.0,
         ..SixBar::default()
     };
-    let found = own
-        .assemble()
-        .expect("it closes at the reference")
-        .check_range();
-    let groups: Vec<_> = found
-        .findings
-        .iter()
-        .map(|own| (own.group, own.kind))
-        .collect();
-    assert_eq!(groups, [(1, RangeFindingKind::Gap)], "{found}");
+    assert_eq!(groups(own), [(1, RangeFindingKind::Gap)]);
     // Of a dyad that does not close, what hangs on it is not blamed.
     let both = SixBar {
         coupler: 60.0,
         ..SixBar::default()
     };
-    let found = both
-        .assemble()
-        .expect("it closes at the reference")
-        .check_range();
-    let groups: Vec<_> = found
-        .findings
-        .iter()
-        .map(|own| (own.group, own.kind))
-        .collect();
-    assert_eq!(groups, [(0, RangeFindingKind::Gap)], "{found}");
+    assert_eq!(groups(both), [(0, RangeFindingKind::Gap)]);
     assert!(
         SixBar::default()
             .assemble()

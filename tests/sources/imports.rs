@@ -5,8 +5,8 @@ use std::fmt::Write;
 use std::sync::OnceLock;
 
 use crate::crates::{CRATES, Source, is_reported, sources};
-use crate::graph::Graph;
 use crate::reader::modules_of;
+use crate::uses::Graph;
 use crate::uses::Uses;
 
 mod tests;

@@ -7,10 +7,7 @@
 
 mod comments;
 mod crates;
-mod graph;
-mod import_tree;
 mod imports;
-mod items;
 mod lexer;
 #[allow(dead_code, reason = "documents use the other measures")]
 #[path = "../documents/measures.rs"]

@@ -5,10 +5,10 @@
 use std::collections::BTreeMap;
 
 use crate::crates::Source;
-use crate::import_tree::leaves;
-use crate::items::{ITEMS, defined, end_of_angles, end_of_item, functions_in, is_for_tests};
 use crate::lexer::Lexed;
 use crate::modules::{Entry, Mention, Methods, Module, Modules};
+use crate::modules::{ITEMS, defined, end_of_angles, end_of_item, functions_in, is_for_tests};
+use crate::resolve::leaves;
 
 /// Macros whose text is code of users.
 const TOKENS_OF_USERS: [&str; 4] = [

@@ -4,7 +4,7 @@ use linkage::{Screw, Vector3};
 use linkage_interpreted::interpreted;
 use nalgebra::Rotation3;
 
-use super::{close, differences, newton};
+use super::{all_solutions, close, differences};
 
 interpreted! {
     pub struct Platform {
@@ -91,7 +91,7 @@ fn a_body_is_where_its_rods_hold_it() {
         (p - q).norm() < 1e-5 && (r.matrix() - s.matrix()).norm() < 1e-5
     };
     let limits = [150.0, 150.0, 250.0, 3.0, 3.0, 3.0];
-    let independent = newton::all(misses, [limits.map(|x| -x), limits], same, 600);
+    let independent = all_solutions(misses, [limits.map(|x| -x), limits], same, 600);
     let assemblies = Platform::default().assemblies().expect("they are listed");
     assert_eq!(assemblies.len(), independent.len());
     assert_eq!(independent.len(), 8);

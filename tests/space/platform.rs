@@ -4,7 +4,7 @@ use linkage::Vector3;
 use linkage_interpreted::interpreted;
 use std::f64::consts::{PI, TAU};
 
-use super::{close, differences, newton, turned};
+use super::{all_solutions, close, differences, turned};
 
 interpreted! {
     pub struct Platform {
@@ -50,7 +50,7 @@ fn misses(stroke: f64, x: [f64; 3]) -> [f64; 3] {
 fn all_assemblies_are_found() {
     let assemblies = Platform::default().assemblies().expect("they are listed");
     let apart = |a: f64, b: f64| (a - b + PI).rem_euclid(TAU) - PI;
-    let independent = newton::all(
+    let independent = all_solutions(
         |x| misses(100.0, x),
         [[-PI; 3], [PI; 3]],
         |x, y| (0..3).all(|k| apart(x[k], y[k]).abs() < 1e-5),

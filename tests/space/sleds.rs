@@ -174,7 +174,7 @@ fn horn(motor: usize, angle: f64) -> Vector3<f64> {
 fn motor(pose: [f64; 6], motor: usize) -> f64 {
     let joint = joint(pose, ROTARY[motor]);
     let miss = |[angle]: [f64; 1]| [(horn(motor, angle) - joint).norm() - 180.0];
-    let [angle] = super::newton::solve(miss, [0.0]).expect("the arm reaches");
+    let [angle] = super::solve(miss, [0.0]).expect("the arm reaches");
     angle
 }
 

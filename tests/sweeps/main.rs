@@ -1,11 +1,7 @@
 //! Sweeps give the rows of single calls: every length, every place, every scalar, over inputs and over mechanisms.
 
 mod inputs;
-mod panics;
-mod parallel;
-mod scalars;
 mod sets;
-mod singular;
 mod space;
 
 use linkage::{Scalar, mechanism};
@@ -125,4 +121,107 @@ fn check_row<T: Scalar>(found: [T; WIDTH], known: [T; WIDTH], unit: f64, what: &
 
 fn angles<T: Scalar>(random: &mut Random, count: usize) -> Vec<T> {
     (0..count).map(|_| T::from_f64(random.turn())).collect()
+}
+
+// Lengths that do not belong together.
+
+#[test]
+#[should_panic(expected = "motion_sweep: `phi` has 3 elements, `phase` has 2")]
+fn inputs_of_different_lengths() {
+    let linkage = FiveBar::default().assemble().expect("it assembles");
+    let _ = linkage.motion_sweep(&[1.0; 3], &[0.1; 2]);
+}
+
+#[test]
+#[should_panic(expected = "motion_sweep_slices: there are 5 positions, but slice 4 has 4 elements")]
+fn a_slice_that_is_too_short() {
+    let linkage = Rocker::default().assemble().expect("it assembles");
+    let mut buffer = [0.0; 29];
+    let mut rest = &mut buffer[..];
+    let slices = [5, 5, 5, 5, 4, 5].map(|len| {
+        let (slice, behind) = std::mem::take(&mut rest).split_at_mut(len);
+        rest = behind;
+        slice
+    });
+    linkage.motion_sweep_slices(&[1.0; 5], slices);
+}
+
+#[test]
+#[should_panic(
+    expected = "motion_sweep_sets: there are 4 mechanisms, but `phase` has 3 elements; give it 4 or 1"
+)]
+fn neither_one_input_nor_one_for_each_mechanism() {
+    let linkage = FiveBar::default().assemble().expect("it assembles");
+    let _ = linkage.motion_sweep_sets(&[FiveBar::default(); 4], &[1.0], &[0.1; 3]);
+}
+
+#[test]
+#[should_panic(
+    expected = "motion_sweep_sets: there are 2 mechanisms, but `phi` has 0 elements; give it 2 or 1"
+)]
+fn no_input_for_mechanisms() {
+    let linkage = Rocker::default().assemble().expect("it assembles");
+    let _ = linkage.motion_sweep_sets(&[Rocker::default(); 2], &[]);
+}
+
+#[test]
+#[should_panic(expected = "motion_sweep_into: `phi` has 3 elements, `phase` has 2")]
+fn inputs_of_different_lengths_into_columns() {
+    let linkage = FiveBar::default().assemble().expect("it assembles");
+    linkage.motion_sweep_into(&[1.0; 3], &[0.1; 2], &mut Default::default());
+}
+
+#[test]
+#[should_panic(
+    expected = "motion_sweep_sets_into: there are 4 mechanisms, but `phase` has 3 elements; give it 4 or 1"
+)]
+fn inputs_for_mechanisms_into_columns() {
+    let linkage = FiveBar::default().assemble().expect("it assembles");
+    let mechanisms = [FiveBar::default(); 4];
+    linkage.motion_sweep_sets_into(&mechanisms, &[1.0], &[0.1; 3], &mut Default::default());
+}
+
+// Other scalars: their sweeps are single calls, one after the other.
+
+/// Sweeps over inputs and over mechanisms give exactly what single calls give.
+fn same<T: Scalar>(lanes: impl Fn(&mut Random) -> T) {
+    let mechanism = Rocker::default().cast::<T>();
+    let linkage = mechanism.assemble().expect("it assembles");
+    let mut random = Random::new(11);
+    for len in [0, 1, 7, 40] {
+        let phi: Vec<T> = (0..len).map(|_| lanes(&mut random)).collect();
+        let rows = swept(&linkage, &phi);
+        let sets = linkage.motion_sweep_sets(&vec![mechanism; len], &phi);
+        assert_eq!((rows.len(), sets.len()), (len, len));
+        for (index, row) in rows.into_iter().enumerate() {
+            assert_eq!(row, single(&linkage, phi[index]), "row {index} of {len}");
+            assert_eq!(row, numbers(&sets.get(index)), "set {index} of {len}");
+        }
+    }
+}
+
+#[test]
+fn dual_numbers() {
+    use linkage::Dual;
+    use num_dual::Dual64;
+
+    same(|random| Dual(Dual64::new(random.between(0.0, 6.0), 1.0)));
+
+    let linkage = Rocker::default().cast().assemble().expect("it assembles");
+    let phi: Vec<Dual<Dual64>> = (0..40)
+        .map(|row| Dual(Dual64::new(0.15 * f64::from(row), 1.0)))
+        .collect();
+    for motion in linkage.motion_sweep(&phi).iter() {
+        assert!((motion.tracer.x.0.eps - motion.v.x.0.re).abs() < 1e-12);
+        assert!((motion.tracer.y.0.eps - motion.v.y.0.re).abs() < 1e-12);
+    }
+}
+
+#[test]
+fn lanes() {
+    use linkage::Lanes;
+    use simba::simd::{AutoF64x4, WideF64x4};
+
+    same(|random| Lanes::<WideF64x4>::from_lanes(|_| random.between(0.0, 6.0)));
+    same(|random| Lanes::<AutoF64x4>::from_lanes(|_| random.between(0.0, 6.0)));
 }

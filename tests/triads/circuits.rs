@@ -1,7 +1,5 @@
 //! `circuits()`: every assembly is there, a turning point ends two of them, and both belong to one circuit.
 
-mod chained;
-
 use crate::kinds::{self, Kind};
 use crate::legs::poses;
 use linkage::{Branch, BranchEnd, Circuits};
@@ -18,7 +16,7 @@ const TOGETHER: f64 = 1e-9;
 const COUNTED: usize = 25;
 
 /// Nearer to an end than this, in radians, assemblies are not counted.
-const BESIDE: f64 = 1e-3;
+pub(crate) const BESIDE: f64 = 1e-3;
 
 /// How many mechanisms are looked at.
 fn mechanisms() -> usize {
@@ -45,7 +43,7 @@ struct Faults {
 }
 
 /// Input, side and circuit of every turning point.
-fn turning<A>(circuits: &Circuits<A>) -> Vec<(f64, usize, usize)> {
+pub(crate) fn turning<A>(circuits: &Circuits<A>) -> Vec<(f64, usize, usize)> {
     let branches = circuits.branches.iter();
     let ends = branches.flat_map(|branch| {
         let ends = branch.ends.into_iter().enumerate();
@@ -59,7 +57,7 @@ fn turning<A>(circuits: &Circuits<A>) -> Vec<(f64, usize, usize)> {
 
 /// How many ends at turning points have no partner in their circuit. Where other groups are assembled in several ways, several pairs end
 /// together.
-fn alone(turning: &[(f64, usize, usize)]) -> usize {
+pub(crate) fn alone(turning: &[(f64, usize, usize)]) -> usize {
     let ends = turning.iter().enumerate();
     let alone = ends.filter(|&(one, &(x, side, circuit))| {
         let others = turning.iter().enumerate();
@@ -72,7 +70,7 @@ fn alone(turning: &[(f64, usize, usize)]) -> usize {
     alone.count()
 }
 
-fn covers<A>(branch: &Branch<A>, phi: f64) -> bool {
+pub(crate) fn covers<A>(branch: &Branch<A>, phi: f64) -> bool {
     let [low, high] = branch.ends.map(BranchEnd::x);
     low <= phi && phi <= high
 }

@@ -2,9 +2,9 @@
 //! reference, or NaN.
 
 use crate::effort;
-use crate::follow::{follow, follow_and_measure};
 use crate::kinds::{Answer, Dimensions, KINDS, Kind};
 use crate::legs::{Pose, distance, poses};
+use crate::newton::{follow_and_measure, follow_pose};
 use linkage_random::Random;
 use std::f64::consts::TAU;
 
@@ -138,7 +138,7 @@ fn beyond(
         };
         let reached = (turned - REFERENCE).abs() < (around.end - REFERENCE).abs();
         let expected = reached.then(|| {
-            follow(
+            follow_pose(
                 |x| kind.legs(dimensions, x),
                 around.poses[0].1,
                 (REFERENCE, turned),
@@ -201,7 +201,7 @@ fn derivatives_are_those_of_the_followed_pose() {
             let phi = random.between(0.0, TAU);
             let here = pose(&evaluate(phi));
             let at = |h: f64| {
-                let there = follow(|x| kind.legs(&dimensions, x), here, (phi, phi + h));
+                let there = follow_pose(|x| kind.legs(&dimensions, x), here, (phi, phi + h));
                 point(&there.expect("near by"))
             };
             let h = 1e-3;

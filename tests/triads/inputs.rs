@@ -1,7 +1,7 @@
 //! A platform on three legs with three inputs: lengths of the legs (3-RPR), or cranks (3-RRR).
 
-use crate::follow::follow;
 use crate::legs::{Leg, Pose, distance, poses, turned};
+use crate::newton::follow_pose;
 use linkage::{Scalar, Vector2};
 use linkage_random::Random;
 
@@ -139,7 +139,7 @@ fn compare(
             }))
         };
         let (here, miss) = found(x);
-        match follow(way, start, (0.0, 1.0)) {
+        match follow_pose(way, start, (0.0, 1.0)) {
             Ok(expected) => {
                 assert!(
                     distance(&here, &expected, 100.0) < 1e-11,

@@ -6,10 +6,8 @@ mod beside;
 mod bulges;
 mod chains;
 mod circuits;
-mod contour;
 mod contours;
 mod cycle;
-mod follow;
 mod four_bars;
 mod inputs;
 mod kinds;
@@ -24,9 +22,7 @@ mod scissors;
 mod served;
 mod sets;
 mod sweeps;
-mod track;
 mod two_slides;
-mod ways;
 
 use linkage_engine::Mechanism;
 

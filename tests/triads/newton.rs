@@ -1,4 +1,8 @@
-//! Newton's method and continuation for equations given as a function.
+//! Newton's method, and poses followed by it in fine steps or along a way.
+
+use crate::legs::{self, Leg, Pose, determinant, distance, poses_where, reach};
+
+// Newton's method and continuation for equations given as a function.
 
 /// Steps of the differences that make the Jacobian.
 const STEP: f64 = 1e-4;
@@ -59,7 +63,7 @@ fn solve(mut rows: Vec<Vec<f64>>) -> (Vec<f64>, f64) {
     (result, determinant)
 }
 
-/// Follows a solution while an input goes from one value to another, as `follow::follow` does.
+/// Follows a solution while an input goes from one value to another, as `follow_pose` does.
 pub(crate) fn follow<const N: usize>(
     equations: &dyn Fn(f64, &[f64; N]) -> [f64; N],
     start: [f64; N],
@@ -97,4 +101,122 @@ pub(crate) fn follow<const N: usize>(
         }
     }
     Ok(here)
+}
+
+// Continuation of a pose in fine steps.
+
+/// Follows a pose while the legs move with an input from one value to another; `Err` with the input where
+/// it ends in a turning point.
+///
+/// Towards a turning point the determinant goes to zero with the root of the distance: steps are so short
+/// that none leads across, where another pose may begin close by.
+pub(crate) fn follow_pose(
+    legs: impl Fn(f64) -> [Leg; 3],
+    pose: Pose,
+    way: (f64, f64),
+) -> Result<Pose, f64> {
+    follow_and_measure(legs, pose, way).map(|(pose, _)| pose)
+}
+
+/// The same with the smallest determinant on the way.
+pub(crate) fn follow_and_measure(
+    legs: impl Fn(f64) -> [Leg; 3],
+    pose: Pose,
+    (from, to): (f64, f64),
+) -> Result<(Pose, f64), f64> {
+    let (mut at, mut here, mut length) = (from, pose, (to - from) / 64.0);
+    let mut last = determinant(&legs(from), &pose);
+    let mut least = last.abs();
+    while at != to {
+        let longest = (5.0 * last * last).min(0.02);
+        length = length.clamp(-longest, longest);
+        let next = if (to - at).abs() <= length.abs() {
+            to
+        } else {
+            at + length
+        };
+        let there = legs(next);
+        let mut pose = here;
+        let mut moved = f64::INFINITY;
+        let mut contracts = true;
+        for _ in 0..8 {
+            let before = pose;
+            legs::step(&there, &mut pose);
+            let now = distance(&before, &pose, reach(&there));
+            contracts &= now.is_finite() && (now < 0.3 * moved || now < 1e-10);
+            moved = now;
+        }
+        let near = distance(&here, &pose, reach(&there)) < 0.05;
+        let determinant = determinant(&there, &pose);
+        if contracts && near && (0.6..1.7).contains(&(determinant / last)) {
+            (at, here, last) = (next, pose, determinant);
+            least = least.min(determinant.abs());
+            length *= 1.5;
+        } else {
+            length *= 0.25;
+        }
+        if length.abs().min(longest) < 1e-8 {
+            return Err(at);
+        }
+    }
+    Ok((here, least))
+}
+
+// Poses along a way, found at many places of it in another manner than by following equations.
+
+/// A pose must not move by more in one step: millimetres, and a hundred for a radian.
+const JUMP: f64 = 5.0;
+
+/// The next pose must be nearer than others by this factor.
+const CLEARLY: f64 = 4.0;
+
+/// Steps as shares of the way: the first and longest, and where none leads on.
+const LONGEST: f64 = 1.0 / 64.0;
+const SHORTEST: f64 = 1e-7;
+
+/// How far two poses are apart.
+pub(crate) fn apart(one: &Pose, other: &Pose) -> f64 {
+    let turned = 2.0 * ((one.theta - other.theta) / 2.0).sin().abs();
+    (one.x - other.x).hypot(one.y - other.y) + 100.0 * turned
+}
+
+/// A pose from the link's first point and direction.
+pub(crate) fn pose([x, y]: [f64; 2], [c, s]: [f64; 2]) -> Pose {
+    Pose {
+        x,
+        y,
+        theta: s.atan2(c),
+    }
+}
+
+/// Where a pose is at the end of the way, or the share of it where it is lost.
+pub(crate) fn track(start: Pose, legs: impl Fn(f64) -> [Leg; 3]) -> Result<Pose, f64> {
+    let (mut pose, mut share, mut step) = (start, 0.0_f64, LONGEST);
+    while share < 1.0 {
+        let next = (share + step).min(1.0);
+        match nearest(&pose, &legs(next)) {
+            Some(there) => {
+                (pose, share) = (there, next);
+                step = (2.0 * step).min(LONGEST);
+            }
+            None if step < SHORTEST => return Err(share),
+            None => step *= 0.5,
+        }
+    }
+    Ok(pose)
+}
+
+/// The pose that is clearly the next one. Those too far away to make it unclear are not looked at: where one of them ends, or runs off to
+/// infinity, this one goes on.
+fn nearest(from: &Pose, legs: &[Leg; 3]) -> Option<Pose> {
+    let mut all = poses_where(legs, |pose| apart(pose, from) < CLEARLY * JUMP)?;
+    all.sort_by(|a, b| apart(a, from).total_cmp(&apart(b, from)));
+    let [first, rest @ ..] = &all[..] else {
+        return None;
+    };
+    let far = apart(first, from);
+    let clear = rest
+        .first()
+        .is_none_or(|second| apart(second, from) > CLEARLY * far);
+    (far < JUMP && clear).then_some(*first)
 }

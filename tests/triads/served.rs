@@ -1,7 +1,7 @@
 //! Which part of the ranges of several inputs is served: against positions that are reached on a fine lattice, in another manner.
 
-use crate::follow::follow;
 use crate::legs::{Leg, Pose, distance, turned};
+use crate::newton::follow_pose;
 use linkage::{AssemblyError, CoupledCause};
 use linkage_random::Random;
 use std::collections::VecDeque;
@@ -90,7 +90,7 @@ fn tracked(cranks: &Cranks, start: Pose) -> Vec<Option<Pose>> {
                 from[k] + t / length * (to[k] - from[k])
             }))
         };
-        follow(way, pose, (0.0, length)).ok()
+        follow_pose(way, pose, (0.0, length)).ok()
     };
     let middle = SIDE.pow(3) / 2;
     found[middle] = Some(start);

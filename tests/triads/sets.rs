@@ -3,8 +3,8 @@
 
 use crate::kinds::{self, Dimensions};
 use crate::legs::{Leg, turned};
+use crate::newton::{apart, pose, track};
 use crate::sweeps::{EyeNeedle, EyeNeedleAssembly};
-use crate::track::{apart, pose, track};
 use linkage_interpreted::interpreted;
 use linkage_random::Random;
 use std::f64::consts::{PI, TAU};

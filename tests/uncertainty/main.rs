@@ -1,10 +1,8 @@
 //! Accuracy of generated mechanisms: tolerances, budgets, correlations, second order.
 
-mod closed;
 mod engine;
 mod guide;
 mod mechanism;
-mod messages;
 mod tolerances;
 
 use linkage::tolerance::{Distribution, ToleranceError, Tolerances, Uncertainties};

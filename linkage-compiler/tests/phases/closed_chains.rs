@@ -85,7 +85,7 @@ fn swashplate() {
 /// A wishbone whose arm is driven is solved joint by joint.
 #[test]
 fn double_wishbone_by_an_arm() {
-    let [place] = operations("tests/followed/driven_arm.rs", ["place"]);
+    let [place] = operations("tests/followed/wishbone_forms.rs", ["place"]);
     assert!(place <= 280);
 }
 

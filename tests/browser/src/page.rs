@@ -1,13 +1,14 @@
-//! A page in the browser: what it contains, and what it complains about.
+//! A page in the browser, also one that the program `gallery` has written.
 
+use crate::chromium;
+use crate::chromium::{Chromium, DevTools};
 use serde_json::{Value, json};
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::sync::Arc;
-use std::thread;
 use std::time::{Duration, Instant};
+use std::{env, fs, thread};
 
-use crate::chromium::{self, Chromium};
-use crate::devtools::DevTools;
+// A page in the browser: what it contains, and what it complains about.
 
 /// The data of a report's page, with lists in the place of packed numbers.
 pub const REPORT: &str = "JSON.parse(document.getElementById('report').textContent, (_, value) => { \
@@ -195,4 +196,59 @@ fn complaint(event: &Value) -> Option<String> {
         _ => return None,
     };
     matches!(level, "error" | "warning" | "assert").then(|| what.to_string())
+}
+
+// Pages that the program `gallery` has written.
+
+/// A report of the gallery.
+#[derive(Clone, Debug)]
+pub struct Entry {
+    /// Its folder's name.
+    pub name: String,
+    /// Its page.
+    pub page: PathBuf,
+}
+
+/// The gallery's folder: what `LINKAGE_GALLERY` names, otherwise `target/gallery` of the workspace.
+#[must_use]
+pub fn folder() -> PathBuf {
+    match env::var_os("LINKAGE_GALLERY") {
+        Some(named) => PathBuf::from(named),
+        None => Path::new(env!("CARGO_MANIFEST_DIR")).join("../../target/gallery"),
+    }
+}
+
+/// A sixth of the reports in the gallery, all of them in long runs: each takes seconds, and they are made of the same parts.
+#[must_use]
+pub fn some() -> Vec<Entry> {
+    linkage_random::one_in(6, entries()).collect()
+}
+
+/// The reports in the gallery, by name. Without a gallery none, which is printed.
+///
+/// # Panics
+/// If there is none and a browser is [required](chromium::required).
+#[must_use]
+pub fn entries() -> Vec<Entry> {
+    let folder = folder();
+    let mut entries: Vec<Entry> = fs::read_dir(&folder)
+        .into_iter()
+        .flatten()
+        .flatten()
+        .map(|item| Entry {
+            name: item.file_name().to_string_lossy().into_owned(),
+            page: item.path().join("index.html"),
+        })
+        .filter(|entry| entry.page.is_file())
+        .collect();
+    entries.sort_by(|a, b| a.name.cmp(&b.name));
+    if entries.is_empty() {
+        let advice = format!(
+            "no report in {}: `cargo test --release -p linkage-tests --test gallery` writes them",
+            folder.display()
+        );
+        assert!(!chromium::required(), "{advice}");
+        eprintln!("skipped: {advice}");
+    }
+    entries
 }

@@ -2,10 +2,8 @@
 
 mod four_bar;
 mod machine;
-mod many;
 #[path = "../../../linkage-report/tests/report/fixture/pictures.rs"]
 mod pictures;
-mod roundoff;
 mod sheet;
 mod sliders;
 mod slots;
@@ -14,9 +12,7 @@ mod yokes;
 
 pub use four_bar::{FourBar, four_bar};
 pub use machine::{lift, machine};
-pub use many::{falling, many};
-pub use roundoff::roundoff;
-pub use sheet::Sheet;
+pub use sheet::{Sheet, falling, many, roundoff};
 pub use sliders::sliders;
 pub use slots::slots;
 pub use spatial::{spatial, spatial_machine};

@@ -1,7 +1,7 @@
 //! The groups that a mechanism is chained of, each in several written forms.
 
 use crate::builder::{Body, Builder, Point};
-use crate::plane::{Vector, along_and_across, angle, cross, direction, dot, length, minus, step};
+use crate::builder::{Vector, along_and_across, angle, cross, direction, dot, length, minus, step};
 
 /// Every group keeps this far from its dead points (sine of the transmission angle).
 const CLEAR: f64 = 0.5;

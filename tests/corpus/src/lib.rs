@@ -6,17 +6,14 @@
 
 mod builder;
 mod case;
-mod courses;
 mod functions;
 pub mod given;
 mod groups;
 pub mod numbers;
 pub mod operations;
-mod plane;
 pub mod programs;
 pub mod quotients;
 pub mod reference;
-mod sample;
 mod scalars;
 mod space;
 mod spatial;
@@ -24,6 +21,6 @@ mod subject;
 
 pub use builder::Unknown;
 pub use case::Case;
+pub use case::{COUNT, Sample, sample};
 pub use functions::{Entry, Function, Kind, Variable};
-pub use sample::{COUNT, Sample, sample};
 pub use subject::{Position, Subject, unit};

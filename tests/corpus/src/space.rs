@@ -1,7 +1,6 @@
 //! Vectors and points of the chosen configuration in space, and how they are written.
 
-use crate::builder::{Body, Builder, Unknown, millimetres};
-use crate::plane;
+use crate::builder::{self, Body, Builder, Unknown, millimetres};
 
 /// A vector or point in space, millimetres; a direction.
 pub(crate) type Vector = [f64; 3];
@@ -209,7 +208,7 @@ impl Builder {
     /// The projection of a point, for groups of the plane.
     pub(crate) fn add_projection(&mut self, place: &Place) {
         let Place { text, at, inputs } = place;
-        let seen: plane::Vector = [at[0], at[1]];
+        let seen: builder::Vector = [at[0], at[1]];
         self.add_point(&format!("({text}.x, {text}.y)"), seen, *inputs);
     }
 

@@ -2,6 +2,7 @@
 
 use super::{Favorit, FavoritAssembly, Forces, JOINTS, MACHINE_SPEED, sizes};
 use crate::check::Check;
+use crate::favorit::columns;
 use linkage::AssemblyError;
 
 /// One row of the table: the sizes of all reactions, in newtons.
@@ -86,7 +87,7 @@ fn needle_side() -> Favorit {
 
 fn check_published(computed: &[Row], check: &mut Check) {
     println!("\nWith the publication's conventions:");
-    let columns = published_columns();
+    let columns = columns(include_str!("../../../mechanisms/favorit/reactions.csv"));
     let names = columns.iter().map(|(name, _)| *name);
     let complete = names.eq(JOINTS) && columns.iter().all(|(_, values)| values.len() == 25);
     check.holds("8 columns of 25 rows", complete);
@@ -144,22 +145,4 @@ fn range(rows: &[Row], joint: usize) -> (f64, f64) {
     column.fold((f64::INFINITY, 0.0), |(least, most), r| {
         (r.min(least), r.max(most))
     })
-}
-
-/// The printed columns: lines `name,unit,25 values`, the row labels left out.
-fn published_columns() -> Vec<(&'static str, Vec<f64>)> {
-    let lines = include_str!("../../../mechanisms/favorit/reactions.csv").lines();
-    let columns = lines.filter(|line| !line.starts_with('#') && !line.starts_with("label"));
-    columns
-        .map(|line| {
-            let mut cells = line.split(',');
-            let name = cells.next().unwrap_or_default();
-            // A cell that is no number fails its comparison.
-            let values = cells
-                .skip(1)
-                .map(|cell| cell.parse().unwrap_or(f64::NAN))
-                .collect();
-            (name, values)
-        })
-        .collect()
 }

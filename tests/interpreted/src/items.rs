@@ -5,7 +5,7 @@ use linkage_language::syntax::{FunctionDef, MechanismDef};
 use proc_macro2::{Ident, TokenStream};
 use quote::{format_ident, quote};
 
-use crate::numbers::{from_numbers, rust_type, to_numbers};
+use crate::{from_numbers, rust_type, to_numbers};
 
 /// The struct of a mechanism, its assembly and the results of its functions. `all` is the static
 /// that has the mechanisms of the text.

@@ -1,9 +1,7 @@
 //! Reads the machine code of functions of this very process: of code without loops every path, of sweeps the loops.
 #![cfg(all(target_arch = "x86_64", target_os = "linux"))]
 
-mod arithmetic;
 mod decode;
-mod library;
 mod single;
 mod sweep;
 mod symbols;

@@ -4,9 +4,9 @@ use std::collections::BTreeSet;
 
 use iced_x86::FlowControl;
 
-use crate::arithmetic::{Arithmetic, Operation, is_fused};
+use crate::decode::{Arithmetic, Operation, is_fused};
 use crate::decode::{Registers, decode, destination, loaded, target, text};
-use crate::{library, symbols};
+use crate::symbols;
 
 /// What the code of a function does apart from computing.
 #[derive(Clone, Debug, Default)]
@@ -34,7 +34,7 @@ pub struct Findings {
 /// Follows the code from the address of a function. Functions that it calls are followed too, unless they are elementary
 /// functions of the C library. Ends at the first conditional jump or strange instruction.
 pub fn inspect(entry: *const ()) -> Findings {
-    let library = library::functions();
+    let library = symbols::library_functions();
     let mut findings = Findings::default();
     let mut seen = BTreeSet::new();
     let mut registers = Registers::new();

@@ -4,9 +4,8 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use iced_x86::{FlowControl, Instruction};
 
-use crate::arithmetic::{Arithmetic, Operation, is_fused, leaves_vectors};
+use crate::decode::{Arithmetic, Operation, is_fused, leaves_vectors};
 use crate::decode::{Registers, decode, destination, loaded, target, text};
-use crate::library;
 use crate::symbols::{self, Symbol};
 
 /// What a sweep was compiled for.
@@ -126,7 +125,7 @@ impl Function {
     }
 
     fn judge(self, loops: &mut Loops) {
-        let library = library::functions();
+        let library = symbols::library_functions();
         loops.instructions += self.instructions.len();
         loops.strange.extend(self.strange.iter().cloned());
         loops.fused += self.instructions.iter().filter(|i| is_fused(i)).count();

@@ -1,7 +1,7 @@
 //! The three dyads with a square root, random geometries of them, and ways to solve them.
 
-use super::systems::{ROD_AND_GUIDE, TURNING_GUIDE, TWO_LINKS};
 use super::textbook;
+use super::{ROD_AND_GUIDE, TURNING_GUIDE, TWO_LINKS};
 use core::f64::consts::FRAC_PI_2;
 use linkage_reference::{Random, System};
 

@@ -1,8 +1,8 @@
 //! Compares programs with the reference.
 
 use crate::errors::{compare_derivatives, compare_margin, compare_positions, must_be_nan};
+use crate::gap::{Standing, standing};
 use crate::report::Program;
-use crate::standing::{Standing, standing};
 use crate::{Answers, Big, Reference, Report, System, solve};
 
 /// A program at one geometry: input in, answers out.
@@ -83,6 +83,29 @@ pub fn compare(system: &System, forms: &[Form], cases: &[Case], depth: Depth) ->
         }
     }
     report
+}
+
+/// Tests of one mechanism in its written forms, a row for each: name, title in the report, cases, depth, accepted errors, and how many
+/// positions must be compared at least.
+///
+/// `SYSTEM, FORMS; NAME "TITLE": CASES(FROM, GEOMETRIES, SEED), DEPTH, LIMITS, at least COUNT;`
+#[macro_export]
+macro_rules! sets {
+    ($system:ident, $forms:ident; $(
+        $(#[$doc:meta])*
+        $name:ident $title:literal:
+            $cases:ident($from:expr, $geometries:literal, $seed:literal), $depth:ident, $limits:expr
+            $(, at least $least:literal)?;
+    )*) => {$(
+        $(#[$doc])*
+        #[test]
+        fn $name() {
+            let cases = $crate::$cases(&$system, $from, $geometries, $seed);
+            $crate::compare(&$system, $forms, &cases, $crate::Depth::$depth)
+                $(.at_least($least))?
+                .check($title, &$limits);
+        }
+    )*};
 }
 
 fn assemble(

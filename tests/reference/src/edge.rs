@@ -1,8 +1,8 @@
 //! Both sides of the dead point: values on one, NaN on the other, and no change of mode.
 
 use crate::cases::tried;
+use crate::gap::{GAP_ROUNDINGS, gap_uncertainty};
 use crate::solve::determinant_at;
-use crate::standing::{GAP_ROUNDINGS, gap_uncertainty};
 use crate::{Big, Form, Plan, ROUNDOFF, Random, System, Variant, approach, default_mode};
 
 /// The determinant of a position is as uncertain as its angles, which are rounded.

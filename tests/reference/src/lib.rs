@@ -20,13 +20,11 @@ mod answers;
 mod big;
 mod cases;
 mod compare;
-mod condition;
+mod datum;
 mod edge;
 mod errors;
-mod form;
 mod fused;
 mod gap;
-mod generate;
 mod homogeneous;
 mod limits;
 mod matrix;
@@ -35,8 +33,6 @@ mod program;
 mod reference;
 mod report;
 mod solve;
-mod space;
-mod standing;
 mod system;
 mod uncertainty;
 
@@ -46,21 +42,22 @@ pub use cases::{
     Plan, cycle_cases, dead_point_cases, decade_cases, far_input_cases, nearby_cases,
     proportion_cases, scale_cases, tried, wide_scale_cases,
 };
+pub use cases::{approach, rescaled};
 pub use compare::{Case, Depth, Evaluate, Form, Variant, compare};
+pub use datum::{Datum, Kind, Unknown};
 pub use edge::{Edge, edge};
 pub use fused::Fused;
 pub use gap::{circle_gap, line_gap, planes_line, reach_gap, triangle_gap};
-pub use generate::{approach, rescaled};
 pub use homogeneous::homogeneous;
 pub use limits::Limits;
 pub use linkage_random::Random;
 pub use plane::Plane;
+pub use plane::Space;
 pub use program::{Parameters, Program, Values};
 pub use reference::Reference;
 pub use report::{Measure, Report};
 pub use solve::{Solution, solve};
-pub use space::Space;
-pub use system::{Datum, Kind, Output, Position, System, Unknown};
+pub use system::{Output, Position, System};
 
 use compare::default_mode;
 

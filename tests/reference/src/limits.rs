@@ -20,6 +20,22 @@ pub struct Limits {
 }
 
 impl Limits {
+    /// Limits of positions by `condition`, `value` and `margin`, and of first, second and third
+    /// derivatives.
+    pub const fn new(
+        [condition, value, margin]: [f64; 3],
+        [first, second, third]: [f64; 3],
+    ) -> Self {
+        Self {
+            condition,
+            value,
+            margin,
+            first,
+            second,
+            third,
+        }
+    }
+
     /// For mechanisms of extreme proportions: wider limits for derivatives, which are small
     /// differences where a mechanism all but turns as a whole.
     pub fn any_proportions(self) -> Self {

@@ -54,7 +54,7 @@ impl<'s> Reference<'s> {
             data: &data,
             unknowns: &solution.unknowns,
         };
-        let outputs = (system.outputs)(&position);
+        let outputs = position.outputs();
         let magnitude = |output: &Output| match output {
             Output::Value(value) => value.abs() + size,
             Output::Number(_) | Output::Angle(_) => Big::one(),
@@ -191,7 +191,7 @@ impl<'s> Reference<'s> {
             data,
             unknowns,
         };
-        let outputs = (self.system.outputs)(&position);
+        let outputs = position.outputs();
         let change = |(after, before): (&Output, &Output)| match (after, before) {
             (Output::Value(after), Output::Value(before))
             | (Output::Number(after), Output::Number(before)) => after - before,

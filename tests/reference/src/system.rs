@@ -1,97 +1,6 @@
 //! A mechanism as the reference sees it: data, unknowns, residuals, outputs.
 
-use crate::{Big, Plane, Space};
-
-/// What a number is.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Kind {
-    /// A length: scales with the mechanism.
-    Length,
-    /// An angle in radians.
-    Angle,
-    /// A ratio without dimension.
-    Ratio,
-}
-
-/// A number that the mechanism is given.
-#[derive(Clone, Copy, Debug)]
-pub struct Datum {
-    /// Its name.
-    pub name: &'static str,
-    /// What it is.
-    pub kind: Kind,
-    /// Its value in the mechanism as written.
-    pub default: f64,
-}
-
-impl Datum {
-    /// A length.
-    pub const fn length(name: &'static str, default: f64) -> Self {
-        Self {
-            name,
-            kind: Kind::Length,
-            default,
-        }
-    }
-
-    /// An angle, given in degrees (converted as the language does).
-    pub const fn degrees(name: &'static str, degrees: f64) -> Self {
-        Self {
-            name,
-            kind: Kind::Angle,
-            default: degrees.to_radians(),
-        }
-    }
-
-    /// A ratio.
-    pub const fn ratio(name: &'static str, default: f64) -> Self {
-        Self {
-            name,
-            kind: Kind::Ratio,
-            default,
-        }
-    }
-}
-
-/// A number that the loops determine.
-#[derive(Clone, Copy, Debug)]
-pub struct Unknown {
-    /// Its name.
-    pub name: &'static str,
-    /// `Angle` (then a unit vector is solved for), `Length`, or `Ratio`.
-    pub kind: Kind,
-    /// The start estimate at the reference input of the mechanism as written.
-    pub estimate: f64,
-}
-
-impl Unknown {
-    /// An unknown angle with its estimate in degrees.
-    pub const fn angle(name: &'static str, degrees: f64) -> Self {
-        Self {
-            name,
-            kind: Kind::Angle,
-            estimate: degrees.to_radians(),
-        }
-    }
-
-    /// An unknown slide with its estimate.
-    pub const fn slide(name: &'static str, estimate: f64) -> Self {
-        Self {
-            name,
-            kind: Kind::Length,
-            estimate,
-        }
-    }
-
-    /// An unknown number with its estimate, as the component of a unit vector in space.
-    pub const fn number(name: &'static str, estimate: f64) -> Self {
-        Self {
-            name,
-            kind: Kind::Ratio,
-            estimate,
-        }
-    }
-}
+use crate::{Big, Datum, Kind, Plane, Space, Unknown};
 
 /// A quantity to compare.
 #[derive(Clone, Debug)]
@@ -104,11 +13,18 @@ pub enum Output {
     Angle(Plane),
 }
 
+impl Output {
+    /// Lengths or coordinates, one after the other.
+    pub fn lengths<const N: usize>(lengths: [Big; N]) -> Vec<Self> {
+        lengths.map(Self::Value).to_vec()
+    }
+}
+
 /// A mechanism as the reference sees it.
 ///
-/// The data are the parameters in declaration order, then constants, then the input. The outputs
-/// begin with the unknowns, in order: the solution of the program is where the reference starts
-/// from.
+/// The data are the parameters in declaration order, then constants, then the input. Outputs are the
+/// unknowns, in order, then further quantities: the solution of the program is where the reference
+/// starts from.
 #[derive(Clone, Copy, Debug)]
 pub struct System {
     /// The name in reports.
@@ -122,8 +38,8 @@ pub struct System {
     /// The equations, zero at the solution; as many as unknowns. They are lengths, if there is a
     /// length among the data.
     pub residual: fn(&Position) -> Vec<Big>,
-    /// The quantities to compare, the unknowns first.
-    pub outputs: fn(&Position) -> Vec<Output>,
+    /// The quantities to compare besides the unknowns.
+    pub further: fn(&Position) -> Vec<Output>,
     /// Positive where the mechanism can be assembled, zero at a dead point, 1 far from it; from the
     /// data alone.
     pub gap: fn(&Position) -> Big,
@@ -140,6 +56,21 @@ pub struct System {
 }
 
 impl System {
+    /// A system without data, dead points and margin; its outputs are its unknowns.
+    pub const PLAIN: Self = Self {
+        name: "",
+        data: &[],
+        parameters: 0,
+        unknowns: &[],
+        residual: |_| Vec::new(),
+        further: |_| Vec::new(),
+        gap: |_| Big::one(),
+        turned: |_| Big::one(),
+        pairs: &[],
+        linear: false,
+        margin: None,
+    };
+
     /// Index of the input among the data.
     pub fn input(&self) -> usize {
         self.data.len() - 1
@@ -160,44 +91,37 @@ impl System {
 
     /// The size of the mechanism: its longest given length; 1 without lengths.
     pub fn size(&self, data: &[f64]) -> f64 {
-        let lengths = self
-            .data
-            .iter()
-            .zip(data)
-            .filter(|(datum, _)| datum.kind == Kind::Length);
-        lengths
+        let data = self.data.iter().zip(data);
+        data.filter(|(datum, _)| datum.kind == Kind::Length)
             .map(|(_, x)| x.abs())
             .reduce(f64::max)
             .unwrap_or(1.0)
     }
 
-    /// The value of [`System::turned`], at least 1.
-    pub(crate) fn turned_at(&self, data: &[Big]) -> f64 {
-        let turned = (self.turned)(&Position {
+    /// The data alone, without values of the unknowns.
+    fn known<'a>(&'a self, data: &'a [Big]) -> Position<'a> {
+        Position {
             system: self,
             data,
             unknowns: &[],
-        });
+        }
+    }
+
+    /// The value of [`System::turned`], at least 1.
+    pub(crate) fn turned_at(&self, data: &[Big]) -> f64 {
+        let turned = (self.turned)(&self.known(data));
         turned.abs().to_f64().max(1.0)
     }
 
     /// The value of [`System::margin`] for the given data.
     pub(crate) fn margin_factor(&self, data: &[Big]) -> Option<Big> {
         let factor = self.margin?;
-        Some(factor(&Position {
-            system: self,
-            data,
-            unknowns: &[],
-        }))
+        Some(factor(&self.known(data)))
     }
 
     /// The value of [`System::gap`] for the given data.
     pub fn gap_at(&self, data: &[Big]) -> Big {
-        (self.gap)(&Position {
-            system: self,
-            data,
-            unknowns: &[],
-        })
+        (self.gap)(&self.known(data))
     }
 }
 
@@ -258,6 +182,17 @@ impl Position<'_> {
             .unknown(name)
             .unwrap_or_else(|| panic!("no unknown {name}"))
             .x
+    }
+
+    /// The quantities to compare: the unknowns, then the further ones.
+    pub(crate) fn outputs(&self) -> Vec<Output> {
+        let unknowns = self.system.unknowns.iter().zip(self.unknowns);
+        let unknowns = unknowns.map(|(unknown, found)| match unknown.kind {
+            Kind::Length => Output::Value(found.x.clone()),
+            Kind::Angle => Output::Angle(found.clone()),
+            Kind::Ratio => Output::Number(found.x.clone()),
+        });
+        unknowns.chain((self.system.further)(self)).collect()
     }
 
     fn unknown(&self, name: &str) -> Option<&Plane> {

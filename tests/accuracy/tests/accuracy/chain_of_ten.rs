@@ -1,20 +1,13 @@
 //! A chain of ten dyads: the errors of each go into the next.
 
 use linkage_reference::{
-    Big, Datum, Depth, Form, Kind, Limits, Output, Plane, Position, System, Unknown, compare,
-    forms, nearby_cases,
+    Big, Depth, Form, Limits, Output, Plane, Position, System, compare, data, forms, nearby_cases,
+    unknowns,
 };
 
 /// The errors of all groups before one add up; the condition number counts them, as it is the sum
 /// over all loops. What is left is as for one dyad.
-const LIMITS: Limits = Limits {
-    condition: 10.0,
-    value: 10.0,
-    margin: 10.0,
-    first: 30.0,
-    second: 100.0,
-    third: 100.0,
-};
+const LIMITS: Limits = Limits::new([10.0, 10.0, 10.0], [30.0, 100.0, 100.0]);
 
 /// A dyad on a moving point, and the point that it moves.
 enum Stage {
@@ -71,64 +64,41 @@ const STAGES: [Stage; 10] = [
 
 const CHAIN: System = System {
     name: "chain of ten",
-    data: &[
-        Datum::length("crank", 20.0),
-        Datum::length("coupler_1", 100.0),
-        Datum::length("rod_2", 110.0),
-        Datum::length("offset_3", 9.0),
-        Datum::length("coupler_4", 100.0),
-        Datum::length("rod_5", 110.0),
-        Datum::length("offset_6", 9.0),
-        Datum::length("coupler_7", 100.0),
-        Datum::length("rod_8", 110.0),
-        Datum::length("offset_9", 9.0),
-        Datum::length("coupler_10", 100.0),
-        Datum::degrees("phi", 30.0),
-    ],
+    data: data! {
+        length "crank" 20.0, "coupler_1" 100.0, "rod_2" 110.0, "offset_3" 9.0, "coupler_4" 100.0,
+            "rod_5" 110.0, "offset_6" 9.0, "coupler_7" 100.0, "rod_8" 110.0, "offset_9" 9.0,
+            "coupler_10" 100.0;
+        degrees "phi" 30.0;
+    },
     parameters: 11,
-    unknowns: &[
-        Unknown::angle("theta_1", 14.9),
-        Unknown::angle("psi_1", 70.0),
-        Unknown::angle("theta_2", 26.2),
-        Unknown::slide("s_2", 125.2),
-        Unknown::angle("psi_3", -28.3),
-        Unknown::slide("s_3", 95.4),
-        Unknown::angle("theta_4", 70.5),
-        Unknown::angle("psi_4", 121.1),
-        Unknown::angle("theta_5", 87.8),
-        Unknown::slide("s_5", 121.6),
-        Unknown::angle("psi_6", -147.2),
-        Unknown::slide("s_6", 70.5),
-        Unknown::angle("theta_7", 13.8),
-        Unknown::angle("psi_7", 94.4),
-        Unknown::angle("theta_8", 134.6),
-        Unknown::slide("s_8", 122.2),
-        Unknown::angle("psi_9", -32.6),
-        Unknown::slide("s_9", 64.9),
-        Unknown::angle("theta_10", 69.9),
-        Unknown::angle("psi_10", 118.7),
-    ],
+    unknowns: unknowns! {
+        angle "theta_1" 14.9, "psi_1" 70.0, "theta_2" 26.2;
+        slide "s_2" 125.2;
+        angle "psi_3" -28.3;
+        slide "s_3" 95.4;
+        angle "theta_4" 70.5, "psi_4" 121.1, "theta_5" 87.8;
+        slide "s_5" 121.6;
+        angle "psi_6" -147.2;
+        slide "s_6" 70.5;
+        angle "theta_7" 13.8, "psi_7" 94.4, "theta_8" 134.6;
+        slide "s_8" 122.2;
+        angle "psi_9" -32.6;
+        slide "s_9" 64.9;
+        angle "theta_10" 69.9, "psi_10" 118.7;
+    },
     residual: |p| {
         points(p)
             .into_iter()
             .flat_map(|(_, miss)| [miss.x, miss.y])
             .collect()
     },
-    outputs: |p| {
-        let unknowns = CHAIN.unknowns.iter().map(|unknown| match unknown.kind {
-            Kind::Angle => Output::Angle(p.direction(unknown.name)),
-            _ => Output::Value(p.slide(unknown.name).clone()),
-        });
+    further: |p| {
         let points = points(p)
             .into_iter()
             .flat_map(|(point, _)| [point.x, point.y]);
-        unknowns.chain(points.map(Output::Value)).collect()
+        points.map(Output::Value).collect()
     },
-    gap: |_| Big::one(),
-    turned: |_| Big::one(),
-    pairs: &[],
-    linear: false,
-    margin: None,
+    ..System::PLAIN
 };
 
 /// The points that the stages move, and by how much their loops are missed.

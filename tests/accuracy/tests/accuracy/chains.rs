@@ -1,20 +1,13 @@
 //! Dyads that build on dyads: a six-bar and a guide on a moving link.
 
 use linkage_reference::{
-    Big, Datum, Depth, Form, Limits, Output, Plane, Position, System, Unknown, compare, forms,
-    nearby_cases,
+    Big, Depth, Form, Limits, Output, Plane, Position, System, compare, data, forms, nearby_cases,
+    unknowns,
 };
 
 /// The uncertainty is that of both loops together; the second one differentiates the first one's
 /// rounded results.
-const LIMITS: Limits = Limits {
-    condition: 10.0,
-    value: 10.0,
-    margin: 10.0,
-    first: 30.0,
-    second: 30.0,
-    third: 30.0,
-};
+const LIMITS: Limits = Limits::new([10.0, 10.0, 10.0], [30.0, 30.0, 30.0]);
 
 fn closure(p: &Position) -> [Big; 2] {
     let closure = p.polar("crank", "phi") + p.polar("coupler", "theta")
@@ -29,44 +22,29 @@ fn tracer(p: &Position) -> Plane {
 
 const SIX_BAR: System = System {
     name: "six-bar",
-    data: &[
-        Datum::length("pivot_d.x", 140.0),
-        Datum::length("pivot_d.y", 5.0),
-        Datum::length("crank", 50.0),
-        Datum::length("coupler", 120.0),
-        Datum::length("rocker", 100.0),
-        Datum::length("arm", 70.0),
-        Datum::degrees("lift", 25.0),
-        Datum::length("pivot_g.x", -60.0),
-        Datum::length("pivot_g.y", 150.0),
-        Datum::length("link", 160.0),
-        Datum::length("out", 120.0),
-        Datum::degrees("phi", 30.0),
-    ],
+    data: data! {
+        length "pivot_d.x" 140.0, "pivot_d.y" 5.0, "crank" 50.0, "coupler" 120.0, "rocker" 100.0,
+            "arm" 70.0;
+        degrees "lift" 25.0;
+        length "pivot_g.x" -60.0, "pivot_g.y" 150.0, "link" 160.0, "out" 120.0;
+        degrees "phi" 30.0;
+    },
     parameters: 11,
-    unknowns: &[
-        Unknown::angle("theta", 40.0),
-        Unknown::angle("psi", 80.0),
-        Unknown::angle("alpha", 109.0),
-        Unknown::angle("beta", 48.0),
-    ],
+    unknowns: unknowns! {
+        angle "theta" 40.0, "psi" 80.0, "alpha" 109.0, "beta" 48.0;
+    },
     residual: |p| {
         let second =
             tracer(p) + p.polar("link", "alpha") - p.polar("out", "beta") - p.point("pivot_g");
         let [x, y] = closure(p);
         vec![x, y, second.x, second.y]
     },
-    outputs: |p| {
+    further: |p| {
         let tip = tracer(p) + p.polar("link", "alpha");
-        let angles = ["theta", "psi", "alpha", "beta"].map(|name| Output::Angle(p.direction(name)));
-        let tip = [tip.x, tip.y].map(Output::Value);
-        angles.into_iter().chain(tip).collect()
+        Output::lengths([tip.x, tip.y])
     },
-    gap: |_| Big::one(),
-    turned: |_| linkage_reference::Big::one(),
     pairs: &[(2, 9), (5, 10)],
-    linear: false,
-    margin: None,
+    ..System::PLAIN
 };
 
 macro_rules! six_bar {
@@ -134,27 +112,21 @@ six_bar!(unknown_tip {
 
 const MOVING_GUIDE: System = System {
     name: "guide on a coupler",
-    data: &[
-        Datum::length("pivot_d.x", 140.0),
-        Datum::length("pivot_d.y", 5.0),
-        Datum::length("crank", 50.0),
-        Datum::length("coupler", 120.0),
-        Datum::length("rocker", 100.0),
-        Datum::length("arm", 70.0),
-        Datum::degrees("lift", 25.0),
-        Datum::length("pivot_g.x", -40.0),
-        Datum::length("pivot_g.y", 60.0),
-        Datum::degrees("gamma", 120.0),
-        Datum::length("out", 250.0),
-        Datum::degrees("phi", 30.0),
-    ],
+    data: data! {
+        length "pivot_d.x" 140.0, "pivot_d.y" 5.0, "crank" 50.0, "coupler" 120.0, "rocker" 100.0,
+            "arm" 70.0;
+        degrees "lift" 25.0;
+        length "pivot_g.x" -40.0, "pivot_g.y" 60.0;
+        degrees "gamma" 120.0;
+        length "out" 250.0;
+        degrees "phi" 30.0;
+    },
     parameters: 11,
-    unknowns: &[
-        Unknown::angle("theta", 40.0),
-        Unknown::angle("psi", 80.0),
-        Unknown::slide("t", 338.0),
-        Unknown::angle("beta", 145.0),
-    ],
+    unknowns: unknowns! {
+        angle "theta" 40.0, "psi" 80.0;
+        slide "t" 338.0;
+        angle "beta" 145.0;
+    },
     residual: |p| {
         let guide = p.direction("theta").turned(&p.direction("gamma"));
         let second =
@@ -162,22 +134,12 @@ const MOVING_GUIDE: System = System {
         let [x, y] = closure(p);
         vec![x, y, second.x, second.y]
     },
-    outputs: |p| {
+    further: |p| {
         let tip = p.point("pivot_g") + p.polar("out", "beta");
-        vec![
-            Output::Angle(p.direction("theta")),
-            Output::Angle(p.direction("psi")),
-            Output::Value(p.slide("t").clone()),
-            Output::Angle(p.direction("beta")),
-            Output::Value(tip.x),
-            Output::Value(tip.y),
-        ]
+        Output::lengths([tip.x, tip.y])
     },
-    gap: |_| Big::one(),
-    turned: |_| linkage_reference::Big::one(),
     pairs: &[(2, 9), (5, 10)],
-    linear: false,
-    margin: None,
+    ..System::PLAIN
 };
 
 macro_rules! moving_guide {

@@ -2,8 +2,9 @@
 //! and Euler's theorem on homogeneous functions: where every length is a parameter, an angle does not change when
 //! all of them grow alike, and a coordinate grows with them.
 
+use crate::scalars::{close, other_numbers};
 use linkage::{Dual, Lanes, Scalar};
-use linkage_reference::{ROUNDOFF, Random};
+use linkage_reference::Random;
 use num_dual::{Dual2_64, Dual3_64, Dual64};
 use simba::simd::{AutoF64x4, WideF64x4};
 
@@ -83,50 +84,7 @@ fn inputs() -> Vec<f64> {
     (0..100).map(|_| random.between(-4.0, 9.0)).collect()
 }
 
-/// Asserts that two numbers agree to so many roundoffs of the larger of their size and `size`.
-#[track_caller]
-fn close(found: f64, expected: f64, size: f64, roundoffs: f64) {
-    let allowed = roundoffs * ROUNDOFF * expected.abs().max(size);
-    assert!(
-        (found - expected).abs() <= allowed,
-        "{found:e}, expected {expected:e}"
-    );
-}
-
-#[test]
-fn dual_numbers_give_the_same_derivatives() {
-    let real = Drive::default().assemble().expect("closes");
-    let one = Drive::default()
-        .cast::<Dual<Dual64>>()
-        .assemble()
-        .expect("closes");
-    let two = Drive::default()
-        .cast::<Dual<Dual2_64>>()
-        .assemble()
-        .expect("closes");
-    let three = Drive::default()
-        .cast::<Dual<Dual3_64>>()
-        .assemble()
-        .expect("closes");
-    for phi in inputs() {
-        let expected = [
-            list!(real.values(phi)),
-            list!(real.first(phi)),
-            list!(real.second(phi)),
-            list!(real.third(phi)),
-        ];
-        let by_one = list!(one.values(Dual(Dual64::new(phi, 1.0))));
-        let by_two = list!(two.values(Dual(Dual2_64::new(phi, 1.0, 0.0))));
-        let by_three = list!(three.values(Dual(Dual3_64::new(phi, 1.0, 0.0, 0.0))));
-        for (k, size) in SIZES.into_iter().enumerate() {
-            close(by_one[k].0.re, expected[0][k], size, 20.0);
-            close(by_one[k].0.eps, expected[1][k], size, 100.0);
-            close(by_two[k].0.v1, expected[1][k], size, 100.0);
-            close(by_two[k].0.v2, expected[2][k], size, 400.0);
-            close(by_three[k].0.v3, expected[3][k], size, 2000.0);
-        }
-    }
-}
+other_numbers!(Drive, list, SIZES, inputs);
 
 #[test]
 fn dual_parameters_give_the_sensitivities() {
@@ -169,38 +127,6 @@ fn dual_parameters_give_the_sensitivities() {
             }
         }
     }
-}
-
-fn lanes_agree<S>()
-where
-    Lanes<S>: Scalar,
-{
-    let real = Drive::default().assemble().expect("closes");
-    let lanes = Drive::default()
-        .cast::<Lanes<S>>()
-        .assemble()
-        .expect("closes");
-    for four in inputs().chunks_exact(4) {
-        let phi = Lanes::<S>::from_lanes(|lane| four[lane]);
-        let (values, second) = (list!(lanes.values(phi)), list!(lanes.second(phi)));
-        for (lane, &phi) in four.iter().enumerate() {
-            let expected = [list!(real.values(phi)), list!(real.second(phi))];
-            for (k, size) in SIZES.into_iter().enumerate() {
-                close(values[k].lane(lane), expected[0][k], size, 30.0);
-                close(second[k].lane(lane), expected[1][k], size, 400.0);
-            }
-        }
-    }
-}
-
-#[test]
-fn automatic_lanes_agree_with_scalars() {
-    lanes_agree::<AutoF64x4>();
-}
-
-#[test]
-fn wide_lanes_agree_with_scalars() {
-    lanes_agree::<WideF64x4>();
 }
 
 /// Four mechanisms of different dimensions in the lanes of one.

@@ -2,31 +2,19 @@
 //! moving lengths.
 
 use linkage_reference::{
-    Datum, Depth, Form, Limits, Output, Plan, Plane, System, Unknown, compare, cycle_cases,
-    dead_point_cases, forms, proportion_cases, triangle_gap,
+    Form, Limits, Output, Plan, Plane, System, Unknown, data, forms, triangle_gap,
 };
 
-const LIMITS: Limits = Limits {
-    condition: 10.0,
-    value: 10.0,
-    margin: 10.0,
-    first: 30.0,
-    second: 30.0,
-    third: 30.0,
-};
+const LIMITS: Limits = Limits::new([10.0, 10.0, 10.0], [30.0, 30.0, 30.0]);
 
 /// The rod's eye stands `shift` beside the cylinder's axis: a ternary link whose length moves.
 const BOOM: System = System {
     name: "boom",
-    data: &[
-        Datum::length("pivot.x", 90.0),
-        Datum::length("pivot.y", 20.0),
-        Datum::length("arm", 60.0),
-        Datum::length("shift", 8.0),
-        Datum::length("load", 150.0),
-        Datum::degrees("lift", -20.0),
-        Datum::length("stroke", 110.0),
-    ],
+    data: data! {
+        length "pivot.x" 90.0, "pivot.y" 20.0, "arm" 60.0, "shift" 8.0, "load" 150.0;
+        degrees "lift" -20.0;
+        length "stroke" 110.0;
+    },
     parameters: 6,
     unknowns: &[Unknown::angle("theta", 40.0), Unknown::angle("psi", 90.0)],
     residual: |p| {
@@ -34,23 +22,17 @@ const BOOM: System = System {
         let closure = rod.turned(&p.direction("theta")) - p.point("pivot") - p.polar("arm", "psi");
         vec![closure.x, closure.y]
     },
-    outputs: |p| {
+    further: |p| {
         let tip = p.point("pivot") + p.polar("load", "psi").turned(&p.direction("lift"));
-        vec![
-            Output::Angle(p.direction("theta")),
-            Output::Angle(p.direction("psi")),
-            Output::Value(tip.x),
-            Output::Value(tip.y),
-        ]
+        Output::lengths([tip.x, tip.y])
     },
     gap: |p| {
         let rod = Plane::new(p.value("stroke").clone(), p.value("shift").clone());
         triangle_gap(&rod.norm(), p.value("arm"), &p.point("pivot").norm())
     },
-    turned: |_| linkage_reference::Big::one(),
     pairs: &[(2, 3), (3, 3)],
-    linear: false,
     margin: Some(|_| linkage_reference::Big::one()),
+    ..System::PLAIN
 };
 
 macro_rules! boom {
@@ -129,20 +111,8 @@ const FORMS: &[Form] = forms![
     where |g| g[2] > 0.0 => distances
 ];
 
-#[test]
-fn strokes() {
-    let cases = cycle_cases(&BOOM, &PLAN, 30, 51);
-    compare(&BOOM, FORMS, &cases, Depth::Full).check("strokes", &LIMITS);
-}
-
-#[test]
-fn dead_points() {
-    let cases = dead_point_cases(&BOOM, &PLAN, 6, 52);
-    compare(&BOOM, FORMS, &cases, Depth::Full).check("dead points", &LIMITS.any_proportions());
-}
-
-#[test]
-fn proportions() {
-    let cases = proportion_cases(&BOOM, &PLAN, 20, 53);
-    compare(&BOOM, FORMS, &cases, Depth::Full).check("proportions", &LIMITS.any_proportions());
+linkage_reference::sets! { BOOM, FORMS;
+    strokes "strokes": cycle_cases(&PLAN, 30, 51), Full, LIMITS;
+    dead_points "dead points": dead_point_cases(&PLAN, 6, 52), Full, LIMITS.any_proportions();
+    proportions "proportions": proportion_cases(&PLAN, 20, 53), Full, LIMITS.any_proportions();
 }

@@ -1,38 +1,30 @@
 //! The comparison itself: it accepts a good program and notices every kind of bad one.
 
 use linkage_reference::{
-    Answers, Datum, Depth, Evaluate, Form, Limits, Measure, Output, Plan, Report, System, Unknown,
-    Variant, compare, cycle_cases, dead_point_cases, proportion_cases, scale_cases, triangle_gap,
+    Answers, Depth, Evaluate, Form, Limits, Measure, Output, Plan, Report, System, Unknown,
+    Variant, compare, cycle_cases, data, dead_point_cases, proportion_cases, scale_cases,
+    triangle_gap,
 };
 
 const TRIANGLE: System = System {
     name: "triangle",
-    data: &[
-        Datum::length("left", 3.0),
-        Datum::length("right", 4.0),
-        Datum::length("base", 5.0),
-        Datum::degrees("phi", 30.0),
-    ],
+    data: data! {
+        length "left" 3.0, "right" 4.0, "base" 5.0;
+        degrees "phi" 30.0;
+    },
     parameters: 3,
     unknowns: &[Unknown::angle("theta", 80.0), Unknown::angle("psi", 350.0)],
     residual: |p| {
         let closure = p.polar("left", "theta") + p.polar("right", "psi") - p.polar("base", "phi");
         vec![closure.x, closure.y]
     },
-    outputs: |p| {
+    further: |p| {
         let tip = p.polar("left", "theta");
-        vec![
-            Output::Angle(p.direction("theta")),
-            Output::Angle(p.direction("psi")),
-            Output::Value(tip.x),
-            Output::Value(tip.y),
-        ]
+        Output::lengths([tip.x, tip.y])
     },
     gap: |p| triangle_gap(p.value("left"), p.value("right"), &p.value("base").abs()),
-    turned: |_| linkage_reference::Big::one(),
-    pairs: &[],
-    linear: false,
     margin: Some(|_| linkage_reference::Big::one()),
+    ..System::PLAIN
 };
 
 const PLAN: Plan = Plan {
@@ -113,14 +105,7 @@ macro_rules! program {
     };
 }
 
-const LIMITS: Limits = Limits {
-    condition: 10.0,
-    value: 10.0,
-    margin: 10.0,
-    first: 10.0,
-    second: 10.0,
-    third: 10.0,
-};
+const LIMITS: Limits = Limits::new([10.0, 10.0, 10.0], [10.0, 10.0, 10.0]);
 
 fn run(form: Form) -> Report {
     compare(

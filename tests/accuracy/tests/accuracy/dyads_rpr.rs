@@ -1,32 +1,19 @@
 //! RPR: a slider along a line that is fixed in a turning link.
 
-mod stress;
-
 use linkage_reference::{
-    Case, Datum, Depth, Form, Limits, Output, Plan, System, Unknown, compare, cycle_cases,
-    dead_point_cases, forms, proportion_cases, reach_gap, scale_cases,
+    Case, Depth, Form, Limits, Output, Plan, Random, System, Unknown, compare, cycle_cases, data,
+    dead_point_cases, edge, forms, proportion_cases, reach_gap, scale_cases,
 };
 
-const LIMITS: Limits = Limits {
-    condition: 10.0,
-    value: 10.0,
-    // A quotient of two numbers, each as wrong as a value may be.
-    margin: 20.0,
-    first: 30.0,
-    second: 100.0,
-    third: 100.0,
-};
+/// The margin is a quotient of two numbers, each as wrong as a value may be.
+const LIMITS: Limits = Limits::new([10.0, 10.0, 20.0], [30.0, 100.0, 100.0]);
 
 const SWINGING_BLOCK: System = System {
     name: "swinging block",
-    data: &[
-        Datum::length("pivot.x", 80.0),
-        Datum::length("pivot.y", -20.0),
-        Datum::length("crank", 30.0),
-        Datum::length("offset", 10.0),
-        Datum::degrees("beta", 80.0),
-        Datum::degrees("phi", 40.0),
-    ],
+    data: data! {
+        length "pivot.x" 80.0, "pivot.y" -20.0, "crank" 30.0, "offset" 10.0;
+        degrees "beta" 80.0, "phi" 40.0;
+    },
     parameters: 5,
     unknowns: &[Unknown::angle("psi", 137.0), Unknown::slide("s", 66.8)],
     residual: |p| {
@@ -35,22 +22,15 @@ const SWINGING_BLOCK: System = System {
         let closure = p.point("pivot") + offset + slide - p.polar("crank", "phi");
         vec![closure.x, closure.y]
     },
-    outputs: |p| {
+    further: |p| {
         let corner = p.point("pivot") + p.polar("offset", "psi").turned(&p.direction("beta"));
-        vec![
-            Output::Angle(p.direction("psi")),
-            Output::Value(p.slide("s").clone()),
-            Output::Value(corner.x),
-            Output::Value(corner.y),
-        ]
+        Output::lengths([corner.x, corner.y])
     },
     gap: |p| {
         let known = p.polar("crank", "phi") - p.point("pivot");
         reach_gap(&known.norm(), &p.polar("offset", "beta").y)
     },
-    turned: |_| linkage_reference::Big::one(),
     pairs: &[(2, 3), (4, 4)],
-    linear: false,
     margin: Some(|p| {
         // The angle's column has the length of what the guide spans; the largest distance is that with the crank in line.
         let spanned = (p.polar("crank", "phi") - p.point("pivot")).norm();
@@ -59,6 +39,7 @@ const SWINGING_BLOCK: System = System {
         let largest = (&longest - &offset) * (&longest + &offset);
         spanned / largest.sqrt()
     }),
+    ..System::PLAIN
 };
 
 macro_rules! swinging_block {
@@ -192,4 +173,48 @@ fn swinging_block_proportions() {
 fn swinging_block_scales() {
     let cases = scale_cases(&SWINGING_BLOCK, &PLAN, 8, 24);
     check("scales", &cases, &LIMITS);
+}
+
+// Hostile sets: short offsets, coincident pivots, far inputs, both sides of the dead point.
+
+/// Closed at the reference input; the slide counts from the foot of the offset.
+fn closed(random: &mut Random, crank: f64, offset: f64, from_foot: f64) -> Vec<f64> {
+    let beta = random.between(0.3, 2.8) * if random.chance(0.5) { 1.0 } else { -1.0 };
+    let psi = random.angle();
+    let s = from_foot - offset * beta.cos();
+    let phi = 40f64.to_radians();
+    let x = crank * phi.cos() - s * psi.cos() - offset * (psi + beta).cos();
+    let y = crank * phi.sin() - s * psi.sin() - offset * (psi + beta).sin();
+    vec![x, y, crank, offset, beta]
+}
+
+fn short_offset(random: &mut Random, ratio: f64) -> Vec<f64> {
+    let [crank, from_foot] = [0; 2].map(|_| random.length(6.0));
+    let offset = ratio * random.length(6.0);
+    closed(random, crank, offset, from_foot.abs())
+}
+
+/// Offset and slide are short beside the crank, or all three of them beside nothing.
+fn near_pivots(random: &mut Random, ratio: f64) -> Vec<f64> {
+    let crank = random.length(6.0) * if random.chance(0.5) { ratio } else { 1.0 };
+    let [offset, from_foot] = [0; 2].map(|_| ratio * random.length(6.0));
+    closed(random, crank, offset, from_foot.abs())
+}
+
+linkage_reference::sets! { SWINGING_BLOCK, FORMS;
+    short_offsets "short offsets":
+        decade_cases(short_offset, 6, 121), Usual, LIMITS.any_proportions();
+    coincident_pivots "coincident pivots":
+        decade_cases(near_pivots, 8, 122), Usual, LIMITS.any_proportions();
+    far_inputs "inputs to 1e6 rad": far_input_cases(&PLAN, 40, 123), Usual, LIMITS;
+}
+
+#[test]
+fn both_sides_of_the_dead_point() {
+    edge(&SWINGING_BLOCK, FORMS, &PLAN, 5, 124).check("swinging block");
+}
+
+linkage_reference::sets! { SWINGING_BLOCK, FORMS;
+    extreme_scales_and_proportions "sizes 1e-140 to 1e140, ratios to 1e8":
+        wide_scale_cases(&PLAN, 8, 125), Usual, LIMITS.any_proportions();
 }

@@ -1,42 +1,31 @@
 //! RRP and PRR: a link and a slide along a guide of known direction, at rest or moving.
 
-mod moving;
 mod stress;
 
 use linkage_reference::{
-    Big, Datum, Depth, Form, Limits, Output, Plan, Plane, Position, System, Unknown, compare,
-    cycle_cases, dead_point_cases, forms, proportion_cases, reach_gap, scale_cases,
+    Big, Depth, Form, Limits, Output, Plan, Plane, Position, System, Unknown, compare, data, forms,
+    proportion_cases, reach_gap,
 };
 
-const LIMITS: Limits = Limits {
-    condition: 10.0,
-    value: 10.0,
-    margin: 10.0,
-    first: 30.0,
-    second: 100.0,
-    third: 100.0,
-};
+const LIMITS: Limits = Limits::new([10.0, 10.0, 10.0], [30.0, 100.0, 100.0]);
 
 const SLIDER_CRANK: System = System {
     name: "slider-crank",
-    data: &[
-        Datum::length("crank", 30.0),
-        Datum::length("rod", 100.0),
-        Datum::length("guide.x", 0.0),
-        Datum::length("guide.y", 10.0),
-        Datum::degrees("gamma", 5.0),
-        Datum::ratio("ratio", 0.0),
-        Datum::degrees("phi", 30.0),
-    ],
+    data: data! {
+        length "crank" 30.0, "rod" 100.0, "guide.x" 0.0, "guide.y" 10.0;
+        degrees "gamma" 5.0;
+        ratio "ratio" 0.0;
+        degrees "phi" 30.0;
+    },
     parameters: 5,
     unknowns: &[Unknown::angle("theta", 3.0), Unknown::slide("s", 126.0)],
     residual: slider_residual,
-    outputs: slider_outputs,
+    further: pin,
     gap: slider_gap,
     turned: guide_angle,
     pairs: &[(0, 1), (4, 4)],
-    linear: false,
     margin: Some(|_| linkage_reference::Big::one()),
+    ..System::PLAIN
 };
 
 fn guide_angle(p: &Position) -> Big {
@@ -53,14 +42,9 @@ fn slider_residual(p: &Position) -> Vec<Big> {
     vec![closure.x, closure.y]
 }
 
-fn slider_outputs(p: &Position) -> Vec<Output> {
+fn pin(p: &Position) -> Vec<Output> {
     let pin = p.polar("crank", "phi") + p.polar("rod", "theta");
-    vec![
-        Output::Angle(p.direction("theta")),
-        Output::Value(p.slide("s").clone()),
-        Output::Value(pin.x),
-        Output::Value(pin.y),
-    ]
+    Output::lengths([pin.x, pin.y])
 }
 
 fn slider_gap(p: &Position) -> Big {
@@ -190,16 +174,9 @@ const FIXED: &[Form] = forms![
 /// How many of them come before those with an unknown point or a distance.
 const FITTING: usize = 7;
 
-#[test]
-fn slider_crank_cycles() {
-    let cases = cycle_cases(&SLIDER_CRANK, &FIXED_PLAN, 30, 11);
-    compare(&SLIDER_CRANK, FIXED, &cases, Depth::Full).check("cycles", &LIMITS);
-}
-
-#[test]
-fn slider_crank_dead_points() {
-    let cases = dead_point_cases(&SLIDER_CRANK, &FIXED_PLAN, 8, 12);
-    compare(&SLIDER_CRANK, FIXED, &cases, Depth::Full).check("dead points", &LIMITS);
+linkage_reference::sets! { SLIDER_CRANK, FIXED;
+    slider_crank_cycles "cycles": cycle_cases(&FIXED_PLAN, 30, 11), Full, LIMITS;
+    slider_crank_dead_points "dead points": dead_point_cases(&FIXED_PLAN, 8, 12), Full, LIMITS;
 }
 
 #[test]
@@ -212,8 +189,6 @@ fn slider_crank_proportions() {
         .check("proportions", &LIMITS.any_proportions().times(25.0));
 }
 
-#[test]
-fn slider_crank_scales() {
-    let cases = scale_cases(&SLIDER_CRANK, &FIXED_PLAN, 8, 14);
-    compare(&SLIDER_CRANK, FIXED, &cases, Depth::Full).check("scales", &LIMITS);
+linkage_reference::sets! { SLIDER_CRANK, FIXED;
+    slider_crank_scales "scales": scale_cases(&FIXED_PLAN, 8, 14), Full, LIMITS;
 }

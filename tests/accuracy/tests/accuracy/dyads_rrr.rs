@@ -1,33 +1,19 @@
 //! RRR: two links between two known points.
 
-mod stress;
-
 use linkage_reference::{
-    Datum, Depth, Form, Limits, Output, Plan, System, Unknown, compare, cycle_cases,
-    dead_point_cases, forms, proportion_cases, scale_cases, triangle_gap,
+    Depth, Form, Limits, Output, Plan, Random, System, Unknown, compare, data, decade_cases, edge,
+    forms, proportion_cases, triangle_gap, wide_scale_cases,
 };
 
-const LIMITS: Limits = Limits {
-    condition: 10.0,
-    value: 10.0,
-    margin: 10.0,
-    first: 30.0,
-    second: 100.0,
-    third: 100.0,
-};
+const LIMITS: Limits = Limits::new([10.0, 10.0, 10.0], [30.0, 100.0, 100.0]);
 
 const FOUR_BAR: System = System {
     name: "four-bar",
-    data: &[
-        Datum::length("pivot_d.x", 140.0),
-        Datum::length("pivot_d.y", 0.0),
-        Datum::length("crank", 50.0),
-        Datum::length("coupler", 120.0),
-        Datum::length("rocker", 100.0),
-        Datum::length("arm", 70.0),
-        Datum::degrees("lift", 25.0),
-        Datum::degrees("phi", 30.0),
-    ],
+    data: data! {
+        length "pivot_d.x" 140.0, "pivot_d.y" 0.0, "crank" 50.0, "coupler" 120.0, "rocker" 100.0,
+            "arm" 70.0;
+        degrees "lift" 25.0, "phi" 30.0;
+    },
     parameters: 7,
     unknowns: &[Unknown::angle("theta", 40.0), Unknown::angle("psi", 80.0)],
     residual: |p| {
@@ -36,24 +22,18 @@ const FOUR_BAR: System = System {
             - p.point("pivot_d");
         vec![closure.x, closure.y]
     },
-    outputs: |p| {
+    further: |p| {
         let arm = p.polar("arm", "theta").turned(&p.direction("lift"));
         let tracer = p.polar("crank", "phi") + arm;
-        vec![
-            Output::Angle(p.direction("theta")),
-            Output::Angle(p.direction("psi")),
-            Output::Value(tracer.x),
-            Output::Value(tracer.y),
-        ]
+        Output::lengths([tracer.x, tracer.y])
     },
     gap: |p| {
         let known = p.point("pivot_d") - p.polar("crank", "phi");
         triangle_gap(p.value("coupler"), p.value("rocker"), &known.norm())
     },
-    turned: |_| linkage_reference::Big::one(),
     pairs: &[(2, 4), (3, 3)],
-    linear: false,
     margin: Some(|_| linkage_reference::Big::one()),
+    ..System::PLAIN
 };
 
 macro_rules! four_bar {
@@ -201,16 +181,9 @@ const FORMS: &[Form] = forms![
 /// How many of them come before those with an unknown point or a distance.
 const FITTING: usize = 8;
 
-#[test]
-fn four_bar_cycles() {
-    let cases = cycle_cases(&FOUR_BAR, &FOUR_BAR_PLAN, 30, 1);
-    compare(&FOUR_BAR, FORMS, &cases, Depth::Full).check("cycles", &LIMITS);
-}
-
-#[test]
-fn four_bar_dead_points() {
-    let cases = dead_point_cases(&FOUR_BAR, &FOUR_BAR_PLAN, 8, 2);
-    compare(&FOUR_BAR, FORMS, &cases, Depth::Full).check("dead points", &LIMITS);
+linkage_reference::sets! { FOUR_BAR, FORMS;
+    four_bar_cycles "cycles": cycle_cases(&FOUR_BAR_PLAN, 30, 1), Full, LIMITS;
+    four_bar_dead_points "dead points": dead_point_cases(&FOUR_BAR_PLAN, 8, 2), Full, LIMITS;
 }
 
 #[test]
@@ -223,8 +196,94 @@ fn four_bar_proportions() {
         .check("proportions", &LIMITS.any_proportions().times(25.0));
 }
 
+linkage_reference::sets! { FOUR_BAR, FORMS;
+    four_bar_scales "scales": scale_cases(&FOUR_BAR_PLAN, 8, 4), Full, LIMITS;
+}
+
+// Hostile sets: needle triangles, coincident pivots, far inputs, both sides of the dead point.
+
+const PHI: f64 = 30.0 * core::f64::consts::PI / 180.0;
+
+/// The geometry with these links, closed at the reference input.
+fn closed(random: &mut Random, [coupler, rocker]: [f64; 2], [theta, psi]: [f64; 2]) -> Vec<f64> {
+    let [crank, arm] = [0; 2].map(|_| random.length(6.0));
+    let x = crank * PHI.cos() + coupler * theta.cos() - rocker * psi.cos();
+    let y = crank * PHI.sin() + coupler * theta.sin() - rocker * psi.sin();
+    vec![x, y, crank, coupler, rocker, arm, random.angle()]
+}
+
+fn bent(random: &mut Random, links: [f64; 2]) -> Vec<f64> {
+    let theta = random.angle();
+    let psi = theta + random.between(0.05, 3.1);
+    closed(random, links, [theta, psi])
+}
+
+fn short_coupler(random: &mut Random, ratio: f64) -> Vec<f64> {
+    let rocker = random.length(6.0).abs();
+    bent(random, [ratio * rocker, rocker])
+}
+
+fn short_rocker(random: &mut Random, ratio: f64) -> Vec<f64> {
+    let coupler = random.length(6.0).abs();
+    bent(random, [coupler, ratio * coupler])
+}
+
+/// The crank pin and the rocker's pivot at a distance of `ratio` times the rocker. Of every second
+/// geometry the crank is as short as that, so that the distance is known to all digits.
+fn near_pivots(random: &mut Random, ratio: f64) -> Vec<f64> {
+    let rocker = random.length(6.0).abs();
+    let (psi, across) = (random.angle(), -random.between(0.05, 3.09));
+    let distance = ratio * rocker;
+    let shift = [(psi + across).cos(), (psi + across).sin()].map(|x| distance * x);
+    let coupler = rocker + distance * (across.cos() + ratio * across.sin().powi(2) / 2.0);
+    let crank = random.length(6.0) * if random.chance(0.5) { ratio } else { 1.0 };
+    let x = crank * PHI.cos() + shift[0];
+    let y = crank * PHI.sin() + shift[1];
+    vec![
+        x,
+        y,
+        crank,
+        coupler,
+        rocker,
+        random.length(6.0),
+        random.angle(),
+    ]
+}
+
 #[test]
-fn four_bar_scales() {
-    let cases = scale_cases(&FOUR_BAR, &FOUR_BAR_PLAN, 8, 4);
-    compare(&FOUR_BAR, FORMS, &cases, Depth::Full).check("scales", &LIMITS);
+fn needle_triangles() {
+    let mut cases = decade_cases(&FOUR_BAR, short_coupler, 4, 101);
+    cases.extend(decade_cases(&FOUR_BAR, short_rocker, 4, 102));
+    let (fitting, points) = FORMS.split_at(FITTING);
+    let limits = LIMITS.any_proportions();
+    compare(&FOUR_BAR, fitting, &cases, Depth::Usual).check("needle triangles", &limits);
+    let limits = limits.times(25.0);
+    compare(&FOUR_BAR, points, &cases, Depth::Usual).check("needles, unknown point", &limits);
+}
+
+#[test]
+fn coincident_pivots() {
+    let cases = decade_cases(&FOUR_BAR, near_pivots, 8, 103);
+    let limits = LIMITS.any_proportions();
+    compare(&FOUR_BAR, FORMS, &cases, Depth::Usual).check("coincident pivots", &limits);
+}
+
+linkage_reference::sets! { FOUR_BAR, FORMS;
+    far_inputs "inputs to 1e6 rad": far_input_cases(&FOUR_BAR_PLAN, 40, 104), Usual, LIMITS;
+}
+
+#[test]
+fn both_sides_of_the_dead_point() {
+    edge(&FOUR_BAR, FORMS, &FOUR_BAR_PLAN, 3, 105).check("four-bar");
+}
+
+#[test]
+fn extreme_scales_and_proportions() {
+    let cases = wide_scale_cases(&FOUR_BAR, &FOUR_BAR_PLAN, 8, 106);
+    let (fitting, _) = FORMS.split_at(FITTING);
+    let report = compare(&FOUR_BAR, fitting, &cases, Depth::Usual);
+    report.check(
+        "sizes 1e-140 to 1e140, ratios to 1e8",
+        &LIMITS.any_proportions(),
+    );
 }

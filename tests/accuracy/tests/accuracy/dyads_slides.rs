@@ -1,32 +1,20 @@
 //! PRP and RPP: two slides along known directions, at rest or moving; the loops are linear.
 
-mod stress;
-
 use linkage_reference::{
-    Big, Case, Datum, Depth, Form, Limits, Output, Plan, Plane, Position, Random, System, Unknown,
-    compare, cycle_cases, forms, proportion_cases, scale_cases,
+    Big, Case, Depth, Form, Limits, Output, Plan, Plane, Position, Random, System, Unknown,
+    compare, cycle_cases, data, forms, proportion_cases, scale_cases,
 };
 
-const LIMITS: Limits = Limits {
-    condition: 10.0,
-    value: 10.0,
-    margin: 10.0,
-    first: 30.0,
-    second: 30.0,
-    third: 30.0,
-};
+const LIMITS: Limits = Limits::new([10.0, 10.0, 10.0], [30.0, 30.0, 30.0]);
 
 const TWO_SLIDES: System = System {
     name: "two slides",
-    data: &[
-        Datum::length("crank", 30.0),
-        Datum::length("pivot.x", 20.0),
-        Datum::length("pivot.y", -15.0),
-        Datum::degrees("alpha", 10.0),
-        Datum::degrees("beta", 100.0),
-        Datum::ratio("ratio", 0.1),
-        Datum::degrees("phi", 30.0),
-    ],
+    data: data! {
+        length "crank" 30.0, "pivot.x" 20.0, "pivot.y" -15.0;
+        degrees "alpha" 10.0, "beta" 100.0;
+        ratio "ratio" 0.1;
+        degrees "phi" 30.0;
+    },
     parameters: 6,
     unknowns: &[Unknown::slide("s", 10.0), Unknown::slide("t", 10.0)],
     residual: |p| {
@@ -36,20 +24,15 @@ const TWO_SLIDES: System = System {
             - turned.times(p.slide("t"));
         vec![closure.x, closure.y]
     },
-    outputs: |p| {
+    further: |p| {
         let pin = p.polar("crank", "phi") + p.direction("alpha").times(p.slide("s"));
-        vec![
-            Output::Value(p.slide("s").clone()),
-            Output::Value(p.slide("t").clone()),
-            Output::Value(pin.x),
-            Output::Value(pin.y),
-        ]
+        Output::lengths([pin.x, pin.y])
     },
-    gap: |_| Big::one(),
     turned: guide_angle,
     pairs: &[(0, 3), (4, 5)],
     linear: true,
     margin: Some(|_| linkage_reference::Big::one()),
+    ..System::PLAIN
 };
 
 fn guide_angle(p: &Position) -> Big {
@@ -150,10 +133,7 @@ const PLAN: Plan = Plan {
 const FORMS: &[Form] = forms![plain, other_order, negative_slides, components, across_each,];
 
 /// The unknown point's coordinates stand for the slides; its margin is one of its own equations.
-const TWO_LINES: System = System {
-    margin: None,
-    ..TWO_SLIDES
-};
+const TWO_LINES: System = System { ..TWO_SLIDES };
 
 const POINT: &[Form] = forms![unknown_point];
 
@@ -185,4 +165,29 @@ fn proportions_and_scales() {
         .check("proportions and scales", &LIMITS.any_proportions());
     compare(&TWO_LINES, POINT, &cases, Depth::Full)
         .check("proportions and scales", &LIMITS.any_proportions());
+}
+
+// Hostile sets: guides all but parallel, a crank and a pivot all but in one place, far inputs.
+
+fn parallel(random: &mut Random, angle: f64) -> Vec<f64> {
+    geometry(random, 6.0, angle)
+}
+
+fn near_pivots(random: &mut Random, ratio: f64) -> Vec<f64> {
+    let opening = random.between(0.1, 3.0);
+    let mut geometry = geometry(random, 6.0, opening);
+    let (crank, phi) = (geometry[0], 30f64.to_radians());
+    let near = |random: &mut Random, x: f64| x + ratio * random.length(6.0);
+    geometry[1] = near(random, crank * phi.cos());
+    geometry[2] = near(random, crank * phi.sin());
+    geometry
+}
+
+linkage_reference::sets! { TWO_SLIDES, FORMS;
+    parallel_guides "guides to 1e-15 rad parallel": decade_cases(parallel, 6, 131), Usual, LIMITS;
+    coincident_pivots "coincident pivots":
+        decade_cases(near_pivots, 6, 132), Usual, LIMITS.any_proportions();
+    far_inputs "inputs to 1e6 rad": far_input_cases(&PLAN, 60, 133), Usual, LIMITS;
+    extreme_scales_and_proportions "sizes 1e-140 to 1e140, ratios to 1e8":
+        wide_scale_cases(&PLAN, 8, 134), Usual, LIMITS.any_proportions();
 }

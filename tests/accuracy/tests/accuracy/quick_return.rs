@@ -1,39 +1,30 @@
-//! A quick-return drive: an RPR dyad and an RRP dyad in a row.
+//! Identities between results, and a quick return against its closed form.
 
 use linkage_reference::{
-    Big, Datum, Depth, Form, Limits, Output, System, Unknown, compare, forms, nearby_cases,
+    Depth, Form, Limits, Output, Random, System, compare, data, forms, identities, nearby_cases,
+    unknowns,
 };
+
+// A quick-return drive: an RPR dyad and an RRP dyad in a row.
 
 /// The uncertainty is that of both loops together; the second one differentiates the first one's
 /// rounded results.
-const LIMITS: Limits = Limits {
-    condition: 10.0,
-    value: 10.0,
-    margin: 10.0,
-    first: 30.0,
-    second: 30.0,
-    third: 30.0,
-};
+const LIMITS: Limits = Limits::new([10.0, 10.0, 10.0], [30.0, 30.0, 30.0]);
 
 const QUICK_RETURN: System = System {
     name: "quick return",
-    data: &[
-        Datum::length("crank", 40.0),
-        Datum::length("pivot.x", 0.0),
-        Datum::length("pivot.y", -100.0),
-        Datum::length("offset", 5.0),
-        Datum::length("lever", 180.0),
-        Datum::length("rod", 90.0),
-        Datum::length("height", 90.0),
-        Datum::degrees("phi", 30.0),
-    ],
+    data: data! {
+        length "crank" 40.0, "pivot.x" 0.0, "pivot.y" -100.0, "offset" 5.0, "lever" 180.0,
+            "rod" 90.0, "height" 90.0;
+        degrees "phi" 30.0;
+    },
     parameters: 7,
-    unknowns: &[
-        Unknown::angle("psi", 72.0),
-        Unknown::slide("s", 125.0),
-        Unknown::angle("theta", 12.0),
-        Unknown::slide("ram", 145.0),
-    ],
+    unknowns: unknowns! {
+        angle "psi" 72.0;
+        slide "s" 125.0;
+        angle "theta" 12.0;
+        slide "ram" 145.0;
+    },
     residual: |p| {
         let line = p.direction("psi");
         let block =
@@ -47,22 +38,12 @@ const QUICK_RETURN: System = System {
             pin.y - p.value("height"),
         ]
     },
-    outputs: |p| {
+    further: |p| {
         let end = p.point("pivot") + p.polar("lever", "psi");
-        vec![
-            Output::Angle(p.direction("psi")),
-            Output::Value(p.slide("s").clone()),
-            Output::Angle(p.direction("theta")),
-            Output::Value(p.slide("ram").clone()),
-            Output::Value(end.x),
-            Output::Value(end.y),
-        ]
+        Output::lengths([end.x, end.y])
     },
-    gap: |_| Big::one(),
-    turned: |_| linkage_reference::Big::one(),
     pairs: &[(0, 3), (4, 5)],
-    linear: false,
-    margin: None,
+    ..System::PLAIN
 };
 
 macro_rules! quick_return {
@@ -121,3 +102,106 @@ fn quick_return() {
     )
     .check("quick return", &LIMITS);
 }
+
+// Euler's theorem on homogeneous functions: where every length is a parameter, an angle and its
+// derivatives do not change when all lengths grow alike, and a coordinate and its derivatives grow
+// with them: `sum r_i d(angle)/d r_i = 0`, `sum r_i d(x)/d r_i = x`.
+
+/// Numbers within 3 % of those given.
+fn near(random: &mut Random, numbers: &[f64]) -> Vec<f64> {
+    let mut near = |x: &f64| x * random.between(0.97, 1.03);
+    numbers.iter().map(&mut near).collect()
+}
+
+identities!(
+    four_bar(phi), angles [psi psi_by], lengths [tracer tracer_by],
+    |random| [near(random, &[140.0, 3.0, 50.0, 120.0, 100.0, 70.0]), vec![random.angle()]].concat(),
+    {
+        unit mm;
+        param pivot_d = (140mm, 3mm);
+        param crank = 50mm;
+        param coupler = 120mm;
+        param rocker = 100mm;
+        param arm = 70mm;
+        param lift = 25deg;
+        input phi = 30deg in 0deg..360deg;
+        unknown theta = 40deg;
+        unknown psi = 80deg;
+        let a = polar(crank, phi);
+        loop a + polar(coupler, theta) = pivot_d + polar(rocker, psi);
+        let tracer = a + polar(arm, theta + lift);
+    }
+);
+
+identities!(
+    slider_crank(phi), angles [theta theta_by], lengths [s s_by],
+    |random| near(random, &[30.0, 100.0, 10.0, 0.1]),
+    {
+        unit mm;
+        param crank = 30mm;
+        param rod = 100mm;
+        param offset = 10mm;
+        param gamma = 5deg;
+        input phi = 30deg in 0deg..360deg;
+        unknown theta = 3deg;
+        unknown s = 126mm;
+        loop polar(crank, phi) + polar(rod, theta) = polar(offset, gamma + 90deg) + polar(s, gamma);
+    }
+);
+
+identities!(
+    swinging_block(phi), angles [psi psi_by], lengths [s s_by],
+    |random| near(random, &[80.0, -20.0, 30.0, 10.0]),
+    {
+        unit mm;
+        param pivot = (80mm, -20mm);
+        param crank = 30mm;
+        param offset = 10mm;
+        input phi = 40deg in 0deg..360deg;
+        unknown psi = 137deg;
+        unknown s = 68mm;
+        loop pivot + rotate((s, offset), psi) = polar(crank, phi);
+    }
+);
+
+identities!(
+    trammel(phi), angles [], lengths [s s_by, t t_by],
+    |random| near(random, &[30.0, 20.0, -15.0, 0.2, 1.7]),
+    {
+        unit mm;
+        param crank = 30mm;
+        param pivot = (20mm, -15mm);
+        param alpha = 10deg;
+        param beta = 100deg;
+        input phi = 30deg in 0deg..360deg;
+        unknown s = -10mm;
+        unknown t = 30mm;
+        loop polar(crank, phi) + s * dir(alpha) = pivot + t * dir(beta + 0.1 * phi);
+    }
+);
+
+// The coupler point of a four-bar drives a second dyad.
+identities!(
+    six_bar(phi), angles [beta beta_by], lengths [tip tip_by],
+    |random| near(random, &[140.0, 5.0, 50.0, 120.0, 100.0, 70.0, -60.0, 150.0, 160.0, 120.0]),
+    {
+        unit mm;
+        param pivot_d = (140mm, 5mm);
+        param crank = 50mm;
+        param coupler = 120mm;
+        param rocker = 100mm;
+        param arm = 70mm;
+        param pivot_g = (-60mm, 150mm);
+        param link = 160mm;
+        param out = 120mm;
+        input phi = 30deg in 0deg..360deg;
+        unknown theta = 40deg;
+        unknown psi = 80deg;
+        unknown alpha = 109deg;
+        unknown beta = 48deg;
+        let a = polar(crank, phi);
+        loop a + polar(coupler, theta) = pivot_d + polar(rocker, psi);
+        let tip = pivot_g + polar(out, beta);
+        loop a + polar(arm, theta + 25deg) + polar(link, alpha) = tip;
+    }
+);

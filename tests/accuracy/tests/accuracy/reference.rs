@@ -1,16 +1,13 @@
 //! The reference itself, against figures known from elsewhere.
 
-use linkage_reference::{Big, Datum, Output, Plane, Position, Reference, System, Unknown};
+use linkage_reference::{Big, Plane, Position, Reference, System, Unknown, data};
 
 const FOUR_BAR: System = System {
     name: "four-bar",
-    data: &[
-        Datum::length("crank", 40.0),
-        Datum::length("coupler", 120.0),
-        Datum::length("rocker", 80.0),
-        Datum::length("frame", 100.0),
-        Datum::degrees("phi", 40.0),
-    ],
+    data: data! {
+        length "crank" 40.0, "coupler" 120.0, "rocker" 80.0, "frame" 100.0;
+        degrees "phi" 40.0;
+    },
     parameters: 4,
     unknowns: &[Unknown::angle("theta", 20.0), Unknown::angle("psi", 57.0)],
     residual: |p| {
@@ -23,17 +20,9 @@ const FOUR_BAR: System = System {
             - frame;
         vec![closure.x, closure.y]
     },
-    outputs: |p| {
-        vec![
-            Output::Angle(p.direction("theta")),
-            Output::Angle(p.direction("psi")),
-        ]
-    },
     gap: |_: &Position| Big::one(),
-    turned: |_| linkage_reference::Big::one(),
-    pairs: &[],
-    linear: false,
     margin: Some(|_| linkage_reference::Big::one()),
+    ..System::PLAIN
 };
 
 fn data() -> Vec<f64> {

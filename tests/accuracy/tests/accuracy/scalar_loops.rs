@@ -1,51 +1,35 @@
 //! Loops of one equation and one unknown.
 
 use linkage_reference::{
-    Big, Datum, Depth, Form, Limits, Output, Plan, Plane, Position, System, Unknown, compare,
-    cycle_cases, dead_point_cases, forms, reach_gap, scale_cases,
+    Big, Depth, Form, Limits, Output, Plan, Plane, Position, System, Unknown, compare, cycle_cases,
+    data, dead_point_cases, forms, reach_gap, scale_cases,
 };
 
-const LIMITS: Limits = Limits {
-    condition: 10.0,
-    value: 10.0,
-    margin: 10.0,
-    first: 30.0,
-    second: 30.0,
-    third: 30.0,
-};
+const LIMITS: Limits = Limits::new([10.0, 10.0, 10.0], [30.0, 30.0, 30.0]);
 
 /// A link whose end stays on a line: `A cos psi + B sin psi = C`.
 const ON_A_LINE: System = System {
     name: "link on a line",
-    data: &[
-        Datum::length("link", 90.0),
-        Datum::length("crank", 20.0),
-        Datum::length("distance", 15.0),
-        Datum::degrees("normal", 70.0),
-        Datum::degrees("phi", 30.0),
-    ],
+    data: data! {
+        length "link" 90.0, "crank" 20.0, "distance" 15.0;
+        degrees "normal" 70.0, "phi" 30.0;
+    },
     parameters: 4,
     unknowns: &[Unknown::angle("psi", 340.0)],
     residual: |p| {
         let end = p.polar("crank", "phi") + p.polar("link", "psi");
         vec![end.dot(&p.direction("normal")) - p.value("distance")]
     },
-    outputs: |p| {
+    further: |p| {
         let end = p.polar("crank", "phi") + p.polar("link", "psi");
-        vec![
-            Output::Angle(p.direction("psi")),
-            Output::Value(end.x),
-            Output::Value(end.y),
-        ]
+        Output::lengths([end.x, end.y])
     },
     gap: |p| {
         let known = p.value("distance") - p.polar("crank", "phi").dot(&p.direction("normal"));
         reach_gap(p.value("link"), &known)
     },
-    turned: |_| Big::one(),
     pairs: &[(0, 1), (2, 3)],
-    linear: false,
-    margin: None,
+    ..System::PLAIN
 };
 
 macro_rules! on_a_line {
@@ -101,10 +85,8 @@ const LINE_PLAN: Plan = Plan {
 
 const LINE_FORMS: &[Form] = forms![product, sines, mixed_angles];
 
-#[test]
-fn link_on_a_line() {
-    let cases = cycle_cases(&ON_A_LINE, &LINE_PLAN, 40, 41);
-    compare(&ON_A_LINE, LINE_FORMS, &cases, Depth::Full).check("link on a line", &LIMITS);
+linkage_reference::sets! { ON_A_LINE, LINE_FORMS;
+    link_on_a_line "link on a line": cycle_cases(&LINE_PLAN, 40, 41), Full, LIMITS;
 }
 
 #[test]
@@ -118,31 +100,27 @@ fn link_on_a_line_hard_cases() {
 /// A gear pair as a loop of angles, with a point on the driven wheel.
 const GEARS: System = System {
     name: "gears",
-    data: &[
-        Datum::ratio("ratio", 2.5),
-        Datum::degrees("offset", 12.0),
-        Datum::length("radius", 25.0),
-        Datum::degrees("phi", 30.0),
-    ],
+    data: data! {
+        ratio "ratio" 2.5;
+        degrees "offset" 12.0;
+        length "radius" 25.0;
+        degrees "phi" 30.0;
+    },
     parameters: 3,
     unknowns: &[Unknown::angle("psi", 87.0)],
     residual: |p| {
         let wheel = Plane::direction(&wheel_angle(p));
         vec![wheel.cross(&p.direction("psi")) * p.value("radius")]
     },
-    outputs: |p| {
+    further: |p| {
         let pin = p.polar("radius", "psi");
-        vec![
-            Output::Angle(p.direction("psi")),
-            Output::Value(pin.x),
-            Output::Value(pin.y),
-        ]
+        Output::lengths([pin.x, pin.y])
     },
-    gap: |_| Big::one(),
     turned: wheel_angle,
     pairs: &[(0, 2), (0, 1)],
     linear: true,
     margin: Some(|_| linkage_reference::Big::one()),
+    ..System::PLAIN
 };
 
 fn wheel_angle(p: &Position) -> Big {

@@ -54,7 +54,7 @@ linkage::mechanism! {
 
 /// Asserts that two numbers agree to so many roundoffs of the larger of their size and `size`.
 #[track_caller]
-fn close(found: f64, expected: f64, size: f64, roundoffs: f64) {
+pub(crate) fn close(found: f64, expected: f64, size: f64, roundoffs: f64) {
     let allowed = roundoffs * linkage_reference::ROUNDOFF * expected.abs().max(size);
     assert!(
         (found - expected).abs() <= allowed,
@@ -78,38 +78,83 @@ fn inputs() -> Vec<f64> {
     (0..200).map(|_| random.between(-4.0, 9.0)).collect()
 }
 
-#[test]
-fn dual_numbers_give_the_same_derivatives() {
-    let real = Everything::default().assemble().expect("closes");
-    let first = Everything::default()
-        .cast::<Dual<Dual64>>()
-        .assemble()
-        .expect("closes");
-    let second = Everything::default()
-        .cast::<Dual<Dual2_64>>()
-        .assemble()
-        .expect("closes");
-    let third = Everything::default()
-        .cast::<Dual<Dual3_64>>()
-        .assemble()
-        .expect("closes");
-    for phi in inputs() {
-        let values = list!(real.values(phi));
-        let one = list!(real.first(phi));
-        let two = list!(real.second(phi));
-        let three = list!(real.third(phi));
-        let by_one = list!(first.values(Dual(Dual64::new(phi, 1.0))));
-        let by_two = list!(second.values(Dual(Dual2_64::new(phi, 1.0, 0.0))));
-        let by_three = list!(third.values(Dual(Dual3_64::new(phi, 1.0, 0.0, 0.0))));
-        for k in 0..5 {
-            close(by_one[k].0.re, values[k], SIZES[k], 20.0);
-            close(by_one[k].0.eps, one[k], SIZES[k], 100.0);
-            close(by_two[k].0.v1, one[k], SIZES[k], 100.0);
-            close(by_two[k].0.v2, two[k], SIZES[k], 400.0);
-            close(by_three[k].0.v3, three[k], SIZES[k], 2000.0);
+/// Tests of a mechanism on dual numbers and on lanes: its type, the macro that lists the quantities of a function, their sizes, and inputs.
+///
+/// The sine and cosine of lanes are those of their own type.
+macro_rules! other_numbers {
+    ($Mechanism:ident, $list:ident, $SIZES:ident, $inputs:ident) => {
+        #[test]
+        fn dual_numbers_give_the_same_derivatives() {
+            let dimensions = $Mechanism::default();
+            let real = dimensions.assemble().expect("closes");
+            let one = dimensions
+                .cast::<Dual<Dual64>>()
+                .assemble()
+                .expect("closes");
+            let two = dimensions
+                .cast::<Dual<Dual2_64>>()
+                .assemble()
+                .expect("closes");
+            let three = dimensions
+                .cast::<Dual<Dual3_64>>()
+                .assemble()
+                .expect("closes");
+            for phi in $inputs() {
+                let expected = [
+                    $list!(real.values(phi)),
+                    $list!(real.first(phi)),
+                    $list!(real.second(phi)),
+                    $list!(real.third(phi)),
+                ];
+                let by_one = $list!(one.values(Dual(Dual64::new(phi, 1.0))));
+                let by_two = $list!(two.values(Dual(Dual2_64::new(phi, 1.0, 0.0))));
+                let by_three = $list!(three.values(Dual(Dual3_64::new(phi, 1.0, 0.0, 0.0))));
+                for (k, size) in $SIZES.into_iter().enumerate() {
+                    close(by_one[k].0.re, expected[0][k], size, 20.0);
+                    close(by_one[k].0.eps, expected[1][k], size, 100.0);
+                    close(by_two[k].0.v1, expected[1][k], size, 100.0);
+                    close(by_two[k].0.v2, expected[2][k], size, 400.0);
+                    close(by_three[k].0.v3, expected[3][k], size, 2000.0);
+                }
+            }
         }
-    }
+
+        fn lanes_agree<S>()
+        where
+            Lanes<S>: Scalar,
+        {
+            let real = $Mechanism::default().assemble().expect("closes");
+            let lanes = $Mechanism::default()
+                .cast::<Lanes<S>>()
+                .assemble()
+                .expect("closes");
+            for four in $inputs().chunks_exact(4) {
+                let phi = Lanes::<S>::from_lanes(|lane| four[lane]);
+                let (values, second) = ($list!(lanes.values(phi)), $list!(lanes.second(phi)));
+                for (lane, &phi) in four.iter().enumerate() {
+                    let expected = [$list!(real.values(phi)), $list!(real.second(phi))];
+                    for (k, size) in $SIZES.into_iter().enumerate() {
+                        close(values[k].lane(lane), expected[0][k], size, 30.0);
+                        close(second[k].lane(lane), expected[1][k], size, 400.0);
+                    }
+                }
+            }
+        }
+
+        #[test]
+        fn automatic_lanes_agree_with_scalars() {
+            lanes_agree::<AutoF64x4>();
+        }
+
+        #[test]
+        fn wide_lanes_agree_with_scalars() {
+            lanes_agree::<WideF64x4>();
+        }
+    };
 }
+pub(crate) use other_numbers;
+
+other_numbers!(Everything, list, SIZES, inputs);
 
 #[test]
 fn dual_parameters_give_the_sensitivities() {
@@ -147,39 +192,6 @@ fn dual_parameters_give_the_sensitivities() {
             }
         }
     }
-}
-
-/// The sine and cosine of lanes are those of their own type.
-fn lanes_agree<S>()
-where
-    Lanes<S>: Scalar,
-{
-    let real = Everything::default().assemble().expect("closes");
-    let lanes = Everything::default()
-        .cast::<Lanes<S>>()
-        .assemble()
-        .expect("closes");
-    for four in inputs().chunks_exact(4) {
-        let phi = Lanes::<S>::from_lanes(|lane| four[lane]);
-        let (values, second) = (list!(lanes.values(phi)), list!(lanes.second(phi)));
-        for (lane, &phi) in four.iter().enumerate() {
-            let expected = (list!(real.values(phi)), list!(real.second(phi)));
-            for k in 0..5 {
-                close(values[k].lane(lane), expected.0[k], SIZES[k], 30.0);
-                close(second[k].lane(lane), expected.1[k], SIZES[k], 400.0);
-            }
-        }
-    }
-}
-
-#[test]
-fn automatic_lanes_agree_with_scalars() {
-    lanes_agree::<AutoF64x4>();
-}
-
-#[test]
-fn wide_lanes_agree_with_scalars() {
-    lanes_agree::<WideF64x4>();
 }
 
 #[test]

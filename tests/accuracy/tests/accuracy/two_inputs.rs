@@ -1,19 +1,15 @@
 //! Two degrees of freedom: all partial derivatives by both inputs and by parameters.
 
-use linkage_reference::{
-    Big, Components, Datum, Output, Plane, Random, Reference, System, Unknown,
-};
+use linkage_reference::{Big, Components, Output, Plane, Random, Reference, System, Unknown, data};
 
 /// A five-bar: one crank turns, the other one slides along the frame.
 const FIVE_BAR: System = System {
     name: "five-bar",
-    data: &[
-        Datum::length("crank", 30.0),
-        Datum::length("rod_1", 90.0),
-        Datum::length("rod_2", 85.0),
-        Datum::degrees("phi", 70.0),
-        Datum::length("shift", 95.0),
-    ],
+    data: data! {
+        length "crank" 30.0, "rod_1" 90.0, "rod_2" 85.0;
+        degrees "phi" 70.0;
+        length "shift" 95.0;
+    },
     parameters: 3,
     unknowns: &[Unknown::angle("alpha", 30.0), Unknown::angle("beta", 105.0)],
     residual: |p| {
@@ -25,20 +21,12 @@ const FIVE_BAR: System = System {
             p.polar("crank", "phi") + p.polar("rod_1", "alpha") - frame - p.polar("rod_2", "beta");
         vec![closure.x, closure.y]
     },
-    outputs: |p| {
+    further: |p| {
         let point = p.polar("crank", "phi") + p.polar("rod_1", "alpha");
-        vec![
-            Output::Angle(p.direction("alpha")),
-            Output::Angle(p.direction("beta")),
-            Output::Value(point.x),
-            Output::Value(point.y),
-        ]
+        Output::lengths([point.x, point.y])
     },
-    gap: |_| Big::one(),
-    turned: |_| linkage_reference::Big::one(),
-    pairs: &[],
-    linear: false,
     margin: Some(|_| linkage_reference::Big::one()),
+    ..System::PLAIN
 };
 
 linkage_interpreted::interpreted! {

@@ -1,5 +1,6 @@
-//! Tables of numbers with headings.
+//! Tables of numbers with headings, and small samples made of them.
 
+use linkage_report::Report;
 use linkage_runtime::{Column, Heading, Input, Meaning, Table};
 use std::f64::consts::TAU;
 
@@ -81,4 +82,66 @@ pub(super) fn flat<const N: usize, const D: usize>(vectors: &[[f64; D]], last: f
 pub(super) fn slope<const N: usize>(f: impl Fn(f64) -> [f64; N], at: f64, step: f64) -> [f64; N] {
     let (low, high) = (f(at - step), f(at + step));
     std::array::from_fn(|i| (high[i] - low[i]) / (2.0 * step))
+}
+
+// A cam at as many positions as a test wants.
+
+static CAM: Heading = Heading {
+    function: "cam",
+    arguments: &["phi"],
+    columns: &[
+        column("lift", "mm", Meaning::Value),
+        column("force", "N", Meaning::Value),
+    ],
+    picture: None,
+};
+
+/// Lift `8 sin phi` and force `5 cos phi` over a turn.
+#[must_use]
+pub fn many(count: usize) -> Report {
+    cam(&PHI.positions(count))
+}
+
+/// The same, from a whole turn down to zero.
+#[must_use]
+pub fn falling(count: usize) -> Report {
+    let mut positions = PHI.positions(count);
+    positions.reverse();
+    cam(&positions)
+}
+
+fn cam(positions: &[f64]) -> Report {
+    let row = |phi: f64| [8.0 * phi.sin(), 5.0 * phi.cos()];
+    Report::new("Cam", &PHI, positions).table(&Sheet::new(&CAM, positions, row))
+}
+
+// Quantities that are constant but for the last bit, and zeros of both signs.
+
+// Each has a unit, and so an axis, of its own.
+static GUIDED: Heading = Heading {
+    function: "guided",
+    arguments: &["phi"],
+    columns: &[
+        column("slider.y", "mm", Meaning::Value),
+        column("share", "", Meaning::Value),
+        column("across", "N", Meaning::Value),
+    ],
+    picture: None,
+};
+
+/// The report about what a straight guide gives.
+#[must_use]
+pub fn roundoff() -> Report {
+    let positions = PHI.positions(37);
+    Report::new("Roundoff", &PHI, &positions).table(&Sheet::new(&GUIDED, &positions, row))
+}
+
+/// The one number and the next, in turn, every ten degrees.
+fn row(phi: f64) -> [f64; 3] {
+    let tens = (phi.to_degrees() / 10.0).round();
+    if tens % 2.0 > 0.5 {
+        [8.0, 0.5, -0.0]
+    } else {
+        [8.0_f64.next_up(), 0.5_f64.next_up(), 0.0]
+    }
 }

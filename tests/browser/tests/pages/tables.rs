@@ -1,8 +1,8 @@
 //! Tables and files: nothing is lost.
 
 use crate::checks;
-use linkage_browser::samples::{FourBar, four_bar, roundoff, written};
-use linkage_browser::{Page, SMALL_PHONE};
+use linkage_browser::samples::{FourBar, four_bar, many, roundoff, written};
+use linkage_browser::{Key, Page, SMALL_PHONE};
 use serde_json::Value;
 
 fn page(name: &str) -> Option<Page> {
@@ -222,4 +222,25 @@ fn files_hold_the_sign_of_zero() {
     let original = bits(&report.csv("guided").expect("no mistakes"));
     assert!(original.contains(&Some((-0.0_f64).to_bits())));
     assert_eq!(bits(&saved(&mut page, "guided.csv")), original);
+}
+
+// Pages of more positions than they show.
+
+#[test]
+fn a_page_says_how_many_positions_it_has() {
+    let Some(mut page) = Page::open(&written(&many(30_001), "thinned")) else {
+        return;
+    };
+    let report = checks::report(&mut page);
+    let rows = report["input"]["values"].as_array().map_or(0, Vec::len);
+    assert!((19_000..=20_000).contains(&rows), "{rows}");
+    let said = page.words("document.querySelector('#thinned').innerText");
+    assert!(
+        said.starts_with(&format!("This page has {rows} of 30001 positions")),
+        "{said}"
+    );
+    page.key(Key::End);
+    assert_eq!(page.row(), rows - 1);
+    page.shoot("thinned");
+    page.assert_quiet();
 }

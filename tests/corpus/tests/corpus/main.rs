@@ -3,16 +3,16 @@
 
 mod dynamics;
 mod oracle;
-mod parts;
 mod quotients;
-mod slicing;
-
-use std::sync::{Arc, OnceLock};
 
 use linkage_compiler::Checked;
-use linkage_corpus::{COUNT, Case, Kind};
+use linkage_corpus::given::example;
+use linkage_corpus::{COUNT, Case, Kind, Position, Subject};
 use linkage_engine::Mechanism;
 use linkage_random::Random;
+use linkage_symbolic::program::{Instruction, Program, Source, Value};
+use std::collections::BTreeSet;
+use std::sync::{Arc, OnceLock};
 
 /// How many mechanisms are kept: more than that are asked for in long runs only, and would fill the memory.
 const KEPT: usize = 100;
@@ -110,5 +110,107 @@ fn the_corpus_has_all_kinds_of_groups() {
     ];
     for kind in [&in_plane[..], &links, &points].concat() {
         assert!(kinds.iter().any(|k| k == kind), "{kind} is missing");
+    }
+}
+
+// A machine of parts: its programs, some of them made of the graph of one part alone, against the graph of the whole.
+
+/// Of the largest number of a function.
+const ROUNDING: f64 = 1e-14;
+
+#[test]
+fn programs_of_a_machine_agree_with_its_graph() {
+    let machine = Subject::new(&example("knitting_machine.rs"));
+    let machine = machine.unwrap_or_else(|messages| panic!("{messages:?}"));
+    let mut random = Random::new(22);
+    let mut largest = 0.0_f64;
+    let mut compared = BTreeSet::new();
+    for round in 0..8 {
+        // The defaults first, then other dimensions and positions near the reference.
+        let part = if round == 0 { 0.0 } else { 1.0 };
+        let mut near = |x: &f64, by: f64| x + part * by * random.between(-1.0, 1.0);
+        let Position { parameters, inputs } = machine.reference();
+        let at = Position {
+            parameters: parameters.iter().map(|x| near(x, 1e-3 * x.abs())).collect(),
+            inputs: inputs.iter().map(|x| near(x, 0.2)).collect(),
+        };
+        for (index, function) in machine.unit.functions.iter().enumerate() {
+            // Coupled groups begin from states that only an assembly has.
+            if !function.states.is_empty() {
+                continue;
+            }
+            compared.insert(&*function.name);
+            let (program, graph) = (machine.by_program(index, &at), machine.by_graph(index, &at));
+            assert_eq!(program.len(), graph.len());
+            let size = graph.iter().fold(0.0, |size: f64, x| size.max(x.abs()));
+            for (p, g) in program.iter().zip(&graph) {
+                let difference = (p - g).abs() / size;
+                assert!(
+                    difference <= ROUNDING,
+                    "{}: {p:e} by the program, {g:e} by the graph",
+                    function.name
+                );
+                largest = largest.max(difference);
+            }
+        }
+    }
+    assert_eq!(
+        compared.into_iter().collect::<Vec<_>>(),
+        ["hook", "hook_accuracy", "press", "press_accuracy"]
+    );
+    println!("largest difference: {largest:.1e} of a function's largest number");
+}
+
+// The evaluators' programs contain no operation that could have been done once in `assemble()`, and none without use.
+
+/// Every operation depends on an input.
+fn check_early_work(program: &Program, name: &str) {
+    let mut late: Vec<bool> = Vec::new();
+    for instruction in &program.instructions {
+        let operands: Vec<Value> = instruction.operands().collect();
+        let is_late = matches!(instruction, Instruction::Load(Source::Input(_)))
+            || operands.iter().any(|operand| late[operand.0]);
+        // What is made of constants is one for the compiler.
+        let constant = |x: &Value| matches!(program.instructions[x.0], Instruction::Constant(_));
+        assert!(
+            is_late || operands.iter().all(constant),
+            "{name}: {instruction:?} belongs into assemble()\n{program}"
+        );
+        late.push(is_late);
+    }
+}
+
+/// Every operation is used by a later one or is a result; constants cost nothing.
+fn check_use(program: &Program, name: &str) {
+    let mut used = vec![false; program.instructions.len()];
+    program
+        .outputs
+        .iter()
+        .for_each(|output| used[output.0] = true);
+    for (place, instruction) in program.instructions.iter().enumerate().rev() {
+        let free = matches!(instruction, Instruction::Constant(_));
+        assert!(
+            free || used[place],
+            "{name}: nobody needs {instruction:?}\n{program}"
+        );
+        instruction
+            .operands()
+            .for_each(|operand| used[operand.0] = true);
+    }
+}
+
+#[test]
+fn programs_are_sliced() {
+    for seed in 0..80 {
+        let case = case(seed).unwrap_or_else(|message| panic!("{message}"));
+        let unit = &case.subject.unit;
+        let name = format!("seed {seed}");
+        for function in &unit.functions {
+            check_early_work(&function.called.program, &name);
+            check_use(&function.called.program, &name);
+        }
+        check_early_work(&unit.gaps, &name);
+        check_use(&unit.gaps, &name);
+        check_use(&unit.prepare, &name);
     }
 }

@@ -2,7 +2,7 @@
 
 use crate::coupled::{LIMITS, cases, sizes};
 use linkage_reference::{
-    Big, Datum, Depth, Form, Output, Plane, Position, System, Unknown, compare, forms,
+    Depth, Form, Output, Plane, Position, System, compare, data, forms, unknowns,
 };
 
 /// From the second ternary link's end to the first one's, for each of the binary links.
@@ -16,47 +16,30 @@ fn between(p: &Position) -> [Plane; 2] {
 
 const CONTOUR: System = System {
     name: "contour of four links, class IV",
-    data: &[
-        Datum::length("crank", 11.0),
-        Datum::length("base.x", 150.0),
-        Datum::length("base.y", 27.0),
-        Datum::length("p", 84.0),
-        Datum::length("q", 70.0),
-        Datum::degrees("at_q", 25.0),
-        Datum::length("r", 73.0),
-        Datum::length("s", 86.0),
-        Datum::degrees("at_s", -85.0),
-        Datum::length("upper", 64.0),
-        Datum::length("lower", 64.0),
-        Datum::degrees("phi", 30.0),
-    ],
+    data: data! {
+        length "crank" 11.0, "base.x" 150.0, "base.y" 27.0, "p" 84.0, "q" 70.0;
+        degrees "at_q" 25.0;
+        length "r" 73.0, "s" 86.0;
+        degrees "at_s" -85.0;
+        length "upper" 64.0, "lower" 64.0;
+        degrees "phi" 30.0;
+    },
     parameters: 11,
-    unknowns: &[
-        Unknown::angle("alpha", -47.0),
-        Unknown::angle("beta", -106.0),
-        Unknown::angle("gamma", 11.0),
-        Unknown::angle("delta", 98.0),
-    ],
+    unknowns: unknowns! {
+        angle "alpha" -47.0, "beta" -106.0, "gamma" 11.0, "delta" 98.0;
+    },
     residual: |p| {
         let [upper, lower] = between(p);
         let upper = upper + p.polar("upper", "gamma");
         let lower = lower + p.polar("lower", "delta");
         vec![upper.x, upper.y, lower.x, lower.y]
     },
-    outputs: |p| {
+    further: |p| {
         let end = p.polar("crank", "phi") + p.polar("p", "alpha");
-        let angles =
-            ["alpha", "beta", "gamma", "delta"].map(|name| Output::Angle(p.direction(name)));
-        angles
-            .into_iter()
-            .chain([end.x, end.y].map(Output::Value))
-            .collect()
+        Output::lengths([end.x, end.y])
     },
-    gap: |_| Big::one(),
-    turned: |_| Big::one(),
     pairs: &[(3, 9), (5, 6)],
-    linear: false,
-    margin: None,
+    ..System::PLAIN
 };
 
 macro_rules! contour {

@@ -1,9 +1,12 @@
-//! Hostile sets: short rods, rods along the guide, far inputs, both sides of the dead point.
+//! Dyad RRP on a guide that moves with other links, and the hostile sets of the dyad.
 
-use super::{FITTING, FIXED, FIXED_PLAN, LIMITS, SLIDER_CRANK};
+use super::{FITTING, FIXED, FIXED_PLAN, LIMITS, SLIDER_CRANK, geometry};
 use linkage_reference::{
-    Depth, Random, compare, decade_cases, edge, far_input_cases, wide_scale_cases,
+    Depth, Form, Plan, Random, System, Unknown, compare, data, dead_point_cases, decade_cases,
+    edge, forms, proportion_cases, scale_cases, wide_scale_cases,
 };
+
+// Hostile sets: short rods, rods along the guide, far inputs, both sides of the dead point.
 
 /// Closed at the reference input with the given angle between rod and guide.
 fn closed(random: &mut Random, crank: f64, rod: f64, s: f64, bend: f64) -> Vec<f64> {
@@ -46,25 +49,12 @@ fn short_rods() {
     compare(&SLIDER_CRANK, points, &cases, Depth::Usual).check("short rods, point", &limits);
 }
 
-#[test]
-fn rods_along_the_guide() {
-    let cases = decade_cases(&SLIDER_CRANK, along_the_guide, 4, 112);
-    let report = compare(&SLIDER_CRANK, FIXED, &cases, Depth::Usual);
-    report.check("rods along the guide", &LIMITS.any_proportions());
-}
-
-#[test]
-fn coincident_pivots() {
-    let cases = decade_cases(&SLIDER_CRANK, near_pivots, 8, 113);
-    let report = compare(&SLIDER_CRANK, FIXED, &cases, Depth::Usual);
-    report.check("coincident pivots", &LIMITS.any_proportions());
-}
-
-#[test]
-fn far_inputs() {
-    let cases = far_input_cases(&SLIDER_CRANK, &FIXED_PLAN, 40, 114);
-    let report = compare(&SLIDER_CRANK, FIXED, &cases, Depth::Usual);
-    report.check("inputs to 1e6 rad", &LIMITS);
+linkage_reference::sets! { SLIDER_CRANK, FIXED;
+    rods_along_the_guide "rods along the guide":
+        decade_cases(along_the_guide, 4, 112), Usual, LIMITS.any_proportions();
+    coincident_pivots "coincident pivots":
+        decade_cases(near_pivots, 8, 113), Usual, LIMITS.any_proportions();
+    far_inputs "inputs to 1e6 rad": far_input_cases(&FIXED_PLAN, 40, 114), Usual, LIMITS;
 }
 
 #[test]
@@ -79,6 +69,91 @@ fn extreme_scales_and_proportions() {
     let report = compare(&SLIDER_CRANK, fitting, &cases, Depth::Usual);
     report.check(
         "sizes 1e-140 to 1e140, ratios to 1e8",
+        &LIMITS.any_proportions(),
+    );
+}
+
+// The same with a guide that turns with the input.
+
+const MOVING_GUIDE: System = System {
+    name: "moving guide",
+    data: data! {
+        length "crank" 30.0, "rod" 100.0, "guide.x" 0.0, "guide.y" 10.0;
+        degrees "gamma" 5.0;
+        ratio "ratio" 0.25;
+        degrees "phi" 30.0;
+    },
+    parameters: 6,
+    unknowns: &[Unknown::angle("theta", 3.0), Unknown::slide("s", 126.0)],
+    pairs: &[(0, 1), (4, 5)],
+    ..SLIDER_CRANK
+};
+
+macro_rules! moving_guide {
+    ($name:ident { $($items:tt)* }) => {
+        linkage_reference::form! {
+            $name(phi) -> [theta, s, pin];
+            pairs crank rod, gamma ratio;
+            fields |g| {
+                crank: g[0], rod: g[1], guide: [g[2], g[3]], gamma: g[4], ratio: g[5]
+            }
+            {
+                unit mm;
+                param crank = 30mm;
+                param rod = 100mm;
+                param guide = (0mm, 10mm);
+                param gamma = 5deg;
+                param ratio = 0.25;
+                input phi = 30deg in 0deg..360deg;
+                let wheel = gamma + ratio * phi;
+                $($items)*
+            }
+        }
+    };
+}
+
+moving_guide!(moving_plain {
+    unknown theta = 10deg;
+    unknown s = 126mm;
+    let pin = polar(crank, phi) + polar(rod, theta);
+    loop pin = guide + s * dir(wheel);
+});
+
+moving_guide!(moving_other_order {
+    unknown s = 126mm;
+    unknown theta = 10deg;
+    let pin = rotate((crank, 0mm), phi) + polar(rod, theta);
+    loop -polar(rod, theta) + rotate((s, 0), wheel) + guide = rotate((crank, 0mm), phi);
+});
+
+moving_guide!(moving_across {
+    unknown theta = 10deg;
+    let pin = polar(crank, phi) + polar(rod, theta);
+    loop dot(dir(wheel + 90deg), pin) = dot(dir(wheel + 90deg), guide);
+    let s = dot(pin - guide, dir(wheel));
+});
+
+const MOVING_PLAN: Plan = Plan {
+    geometry: |random, spread| {
+        let ratio = random.between(-2.0, 2.0);
+        geometry(random, spread, ratio)
+    },
+    dead_points: &[(1, 1e-3)],
+};
+
+const MOVING: &[Form] = forms![moving_plain, moving_other_order, moving_across];
+
+linkage_reference::sets! { MOVING_GUIDE, MOVING;
+    moving_guide_cycles "cycles": cycle_cases(&MOVING_PLAN, 30, 15), Full, LIMITS;
+}
+
+#[test]
+fn moving_guide_hard_cases() {
+    let mut cases = dead_point_cases(&MOVING_GUIDE, &MOVING_PLAN, 6, 16);
+    cases.extend(scale_cases(&MOVING_GUIDE, &MOVING_PLAN, 4, 17));
+    cases.extend(proportion_cases(&MOVING_GUIDE, &MOVING_PLAN, 20, 18));
+    compare(&MOVING_GUIDE, MOVING, &cases, Depth::Full).check(
+        "dead points, proportions, scales",
         &LIMITS.any_proportions(),
     );
 }

@@ -3,7 +3,7 @@
 use super::LIMITS;
 use linkage_reference::{
     Big, Datum, Depth, Form, Output, Plan, Position, Space, System, Unknown, compare, cycle_cases,
-    dead_point_cases, edge, far_input_cases, forms,
+    data, dead_point_cases, edge, forms,
 };
 
 /// The unit vector on the output shaft whose axis is bent away from z towards x.
@@ -27,22 +27,20 @@ fn spherical_input(p: &Position) -> Space {
 
 const SPHERICAL: System = System {
     name: "spherical four-bar",
-    data: &[
-        Datum::degrees("eta", 25.0),
-        Datum::degrees("alpha", 75.0),
-        Datum::degrees("beta", 60.0),
-        Datum::degrees("bend", 70.0),
-        Datum::degrees("phi", 60.0),
-    ],
+    data: data! {
+        degrees "eta" 25.0, "alpha" 75.0, "beta" 60.0, "bend" 70.0, "phi" 60.0;
+    },
     parameters: 4,
     unknowns: &[Unknown::angle("psi", 65.0)],
     residual: |p| {
         let cosine = spherical_input(p).dot(&spherical_output(p));
         vec![cosine - p.direction("alpha").x]
     },
-    outputs: |p| {
-        let [x, y, z] = spherical_output(p).components().map(Output::Number);
-        vec![Output::Angle(p.direction("psi")), x, y, z]
+    further: |p| {
+        spherical_output(p)
+            .components()
+            .map(Output::Number)
+            .to_vec()
     },
     gap: |p| {
         // The angle between the bars' ends: from their cones' nearest to their farthest.
@@ -55,10 +53,8 @@ const SPHERICAL: System = System {
         let (near, far) = (&along + &across - &cosine, &cosine - &along + &across);
         if near < far { near } else { far }
     },
-    turned: |_| Big::one(),
     pairs: &[(0, 1), (2, 3)],
-    linear: false,
-    margin: None,
+    ..System::PLAIN
 };
 
 macro_rules! spherical {
@@ -129,12 +125,8 @@ const UNIVERSAL: System = System {
         let u = Space::new(-&phi.y, phi.x, 0.0);
         vec![u.dot(&output(p, &Big::zero(), &Big::one()))]
     },
-    outputs: |p| vec![Output::Angle(p.direction("psi"))],
-    gap: |_| Big::one(),
-    turned: |_| Big::one(),
     pairs: &[(0, 0), (0, 0)],
-    linear: false,
-    margin: None,
+    ..System::PLAIN
 };
 
 linkage_reference::form! {
@@ -154,12 +146,8 @@ linkage_reference::form! {
 
 const FORMS: &[Form] = forms![turned, components];
 
-#[test]
-fn spherical_cycles() {
-    let cases = cycle_cases(&SPHERICAL, &PLAN, 25, 271);
-    compare(&SPHERICAL, FORMS, &cases, Depth::Full)
-        .at_least(60)
-        .check("cycles", &LIMITS);
+linkage_reference::sets! { SPHERICAL, FORMS;
+    spherical_cycles "cycles": cycle_cases(&PLAN, 25, 271), Full, LIMITS, at least 60;
 }
 
 #[test]
@@ -171,12 +159,9 @@ fn spherical_dead_points() {
         .check("dead points", &LIMITS.times(3.0));
 }
 
-#[test]
-fn spherical_far_inputs() {
-    let cases = far_input_cases(&SPHERICAL, &PLAN, 30, 273);
-    compare(&SPHERICAL, FORMS, &cases, Depth::Usual)
-        .at_least(35)
-        .check("inputs to 1e6 rad", &LIMITS);
+linkage_reference::sets! { SPHERICAL, FORMS;
+    spherical_far_inputs "inputs to 1e6 rad":
+        far_input_cases(&PLAN, 30, 273), Usual, LIMITS, at least 35;
 }
 
 #[test]

@@ -2,9 +2,8 @@
 
 use super::LIMITS;
 use linkage_reference::{
-    Big, Datum, Depth, Form, Output, Plan, Position, Space, System, Unknown, compare, cycle_cases,
-    dead_point_cases, edge, far_input_cases, forms, proportion_cases, reach_gap, scale_cases,
-    wide_scale_cases,
+    Big, Depth, Form, Output, Plan, Position, Space, System, compare, cycle_cases, data, edge,
+    far_input_cases, forms, proportion_cases, reach_gap, scale_cases, unknowns, wide_scale_cases,
 };
 use nalgebra::Vector3;
 
@@ -28,22 +27,14 @@ fn turning(p: &Position) -> Space {
 
 const LENGTHS: System = System {
     name: "three lengths",
-    data: &[
-        Datum::length("crank", 20.0),
-        Datum::length("base.x", 30.0),
-        Datum::length("base.y", -15.0),
-        Datum::length("base.z", 25.0),
-        Datum::degrees("one", 10.0),
-        Datum::degrees("two", 20.0),
-        Datum::degrees("tilt", 15.0),
-        Datum::degrees("phi", 30.0),
-    ],
+    data: data! {
+        length "crank" 20.0, "base.x" 30.0, "base.y" -15.0, "base.z" 25.0;
+        degrees "one" 10.0, "two" 20.0, "tilt" 15.0, "phi" 30.0;
+    },
     parameters: 7,
-    unknowns: &[
-        Unknown::slide("s", 10.0),
-        Unknown::slide("t", -20.0),
-        Unknown::slide("v", 30.0),
-    ],
+    unknowns: unknowns! {
+        slide "s" 10.0, "t" -20.0, "v" 30.0;
+    },
     residual: |p| {
         let [one, two] = guides(p);
         let sum = pin(p)
@@ -52,17 +43,13 @@ const LENGTHS: System = System {
             + turning(p).times(p.slide("v"));
         (sum - p.space("base")).components().to_vec()
     },
-    outputs: |p| {
+    further: |p| {
         let corner = pin(p) + guides(p)[0].times(p.slide("s"));
-        let [x, y, z] = corner.components().map(Output::Value);
-        let [s, t, v] = ["s", "t", "v"].map(|name| Output::Value(p.slide(name).clone()));
-        vec![s, t, v, x, y, z]
+        Output::lengths(corner.components())
     },
-    gap: |_| Big::one(),
-    turned: |_| Big::one(),
     pairs: &[(0, 4), (5, 6)],
     linear: true,
-    margin: None,
+    ..System::PLAIN
 };
 
 macro_rules! lengths {
@@ -122,33 +109,21 @@ fn link(p: &Position) -> Space {
 
 const ANGLE: System = System {
     name: "two lengths and an angle",
-    data: &[
-        Datum::length("crank", 15.0),
-        Datum::length("link", 60.0),
-        Datum::length("base.x", 30.0),
-        Datum::length("base.y", -15.0),
-        Datum::length("base.z", 25.0),
-        Datum::degrees("one", 10.0),
-        Datum::degrees("two", 60.0),
-        Datum::degrees("tilt", 25.0),
-        Datum::degrees("phi", 30.0),
-    ],
+    data: data! {
+        length "crank" 15.0, "link" 60.0, "base.x" 30.0, "base.y" -15.0, "base.z" 25.0;
+        degrees "one" 10.0, "two" 60.0, "tilt" 25.0, "phi" 30.0;
+    },
     parameters: 8,
-    unknowns: &[
-        Unknown::slide("s", 60.0),
-        Unknown::slide("t", 10.0),
-        Unknown::angle("psi", 37.0),
-    ],
+    unknowns: unknowns! {
+        slide "s" 60.0, "t" 10.0;
+        angle "psi" 37.0;
+    },
     residual: |p| {
         let [one, two] = guides(p);
         let sum = pin(p) + one.times(p.slide("s")) + two.times(p.slide("t"));
         (sum - p.space("base") - link(p)).components().to_vec()
     },
-    outputs: |p| {
-        let [x, y, z] = (p.space("base") + link(p)).components().map(Output::Value);
-        let [s, t] = ["s", "t"].map(|name| Output::Value(p.slide(name).clone()));
-        vec![s, t, Output::Angle(p.direction("psi")), x, y, z]
-    },
+    further: |p| Output::lengths((p.space("base") + link(p)).components()),
     gap: |p| {
         let [one, two] = guides(p);
         let normal = one.cross(&two);
@@ -157,10 +132,8 @@ const ANGLE: System = System {
         let reach = (&along * &along + &normal.y * &normal.y).sqrt() * p.value("link");
         reach_gap(&reach, &normal.dot(&(pin(p) - p.space("base"))))
     },
-    turned: |_| Big::one(),
     pairs: &[(1, 7), (5, 6)],
-    linear: false,
-    margin: None,
+    ..System::PLAIN
 };
 
 macro_rules! angle {
@@ -261,12 +234,9 @@ fn two_lengths_and_an_angle() {
     all(&ANGLE, ANGLE_FORMS, &ANGLE_PLAN, 291);
 }
 
-#[test]
-fn two_lengths_and_an_angle_dead_points() {
-    let cases = dead_point_cases(&ANGLE, &ANGLE_PLAN, 3, 301);
-    compare(&ANGLE, ANGLE_FORMS, &cases, Depth::Full)
-        .at_least(40)
-        .check("dead points", &LIMITS);
+linkage_reference::sets! { ANGLE, ANGLE_FORMS;
+    two_lengths_and_an_angle_dead_points "dead points":
+        dead_point_cases(&ANGLE_PLAN, 3, 301), Full, LIMITS, at least 40;
 }
 
 #[test]

@@ -2,8 +2,8 @@
 
 use super::{LIMITS, direction};
 use linkage_reference::{
-    Big, Datum, Depth, Form, Output, Plan, Position, Random, Space, System, Unknown, compare,
-    cycle_cases, dead_point_cases, decade_cases, edge, forms, line_gap, planes_line, scale_cases,
+    Big, Form, Plan, Position, Random, Space, System, data, edge, forms, line_gap, planes_line,
+    unknowns,
 };
 use nalgebra::Vector3;
 
@@ -28,20 +28,14 @@ fn as_length(p: &Position, number: Big) -> Big {
 
 const NORMAL: System = System {
     name: "unit vector at two angles",
-    data: &[
-        Datum::length("reach", 20.0),
-        Datum::length("lift", 50.0),
-        Datum::length("shadow", 15.0),
-        Datum::degrees("tilt", 75.0),
-        Datum::degrees("beta", 80.0),
-        Datum::degrees("phi", 60.0),
-    ],
+    data: data! {
+        length "reach" 20.0, "lift" 50.0, "shadow" 15.0;
+        degrees "tilt" 75.0, "beta" 80.0, "phi" 60.0;
+    },
     parameters: 5,
-    unknowns: &[
-        Unknown::number("n.x", 0.2),
-        Unknown::number("n.y", 0.97),
-        Unknown::number("n.z", -0.1),
-    ],
+    unknowns: unknowns! {
+        number "n.x" 0.2, "n.y" 0.97, "n.z" -0.1;
+    },
     residual: |p| {
         let n = p.space("n");
         vec![
@@ -50,7 +44,6 @@ const NORMAL: System = System {
             as_length(p, n.dot(&fixed(p)) - p.direction("beta").x),
         ]
     },
-    outputs: |p| p.space("n").components().map(Output::Number).to_vec(),
     gap: |p| {
         let (arm, fixed, cosine) = (arm(p), fixed(p), p.direction("beta").x);
         let planes = [(&arm, p.value("shadow")), (&fixed, &cosine)];
@@ -58,10 +51,8 @@ const NORMAL: System = System {
         let origin = Space::new(0.0, 0.0, 0.0);
         line_gap(&Big::one(), &origin, (&on_line, &direction))
     },
-    turned: |_| Big::one(),
     pairs: &[(0, 2), (4, 4)],
-    linear: false,
-    margin: None,
+    ..System::PLAIN
 };
 
 macro_rules! normal {
@@ -131,36 +122,12 @@ fn near_parallel(random: &mut Random, angle: f64) -> Vec<f64> {
 
 const FORMS: &[Form] = forms![norm_first, square_last];
 
-#[test]
-fn cycles() {
-    let cases = cycle_cases(&NORMAL, &PLAN, 15, 261);
-    compare(&NORMAL, FORMS, &cases, Depth::Full)
-        .at_least(35)
-        .check("cycles", &LIMITS);
-}
-
-#[test]
-fn dead_points() {
-    let cases = dead_point_cases(&NORMAL, &PLAN, 4, 262);
-    compare(&NORMAL, FORMS, &cases, Depth::Full)
-        .at_least(35)
-        .check("dead points", &LIMITS);
-}
-
-#[test]
-fn nearly_parallel_vectors() {
-    let cases = decade_cases(&NORMAL, near_parallel, 3, 263);
-    compare(&NORMAL, FORMS, &cases, Depth::Usual)
-        .at_least(25)
-        .check("nearly parallel vectors", &LIMITS.any_proportions());
-}
-
-#[test]
-fn scales() {
-    let cases = scale_cases(&NORMAL, &PLAN, 5, 264);
-    compare(&NORMAL, FORMS, &cases, Depth::Usual)
-        .at_least(25)
-        .check("scales", &LIMITS);
+linkage_reference::sets! { NORMAL, FORMS;
+    cycles "cycles": cycle_cases(&PLAN, 15, 261), Full, LIMITS, at least 35;
+    dead_points "dead points": dead_point_cases(&PLAN, 4, 262), Full, LIMITS, at least 35;
+    nearly_parallel_vectors "nearly parallel vectors":
+        decade_cases(near_parallel, 3, 263), Usual, LIMITS.any_proportions(), at least 25;
+    scales "scales": scale_cases(&PLAN, 5, 264), Usual, LIMITS, at least 25;
 }
 
 #[test]

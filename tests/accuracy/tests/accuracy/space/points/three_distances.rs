@@ -1,34 +1,26 @@
-//! Three distances.
+//! An unknown point at three distances, or at two distances in a plane.
 
-use super::{PHI, directions, distance, outputs, pin, pin_of, radical};
+use super::{PHI, directions, distance, pin, pin_of, plane, radical};
 use crate::space::{LIMITS, direction};
 use linkage_reference::{
-    Big, Datum, Depth, Form, Plan, Random, System, Unknown, compare, cycle_cases, dead_point_cases,
-    decade_cases, edge, forms, line_gap, planes_line, proportion_cases, scale_cases,
+    Depth, Form, Plan, Random, System, compare, cycle_cases, data, edge, forms, line_gap,
+    planes_line, proportion_cases, scale_cases, unknowns,
 };
 use nalgebra::Vector3;
 
+// Three distances.
+
 const THREE: System = System {
     name: "three distances",
-    data: &[
-        Datum::length("crank", 10.0),
-        Datum::length("two.x", 60.0),
-        Datum::length("two.y", 5.0),
-        Datum::length("two.z", 3.0),
-        Datum::length("three.x", 20.0),
-        Datum::length("three.y", 55.0),
-        Datum::length("three.z", -2.0),
-        Datum::length("l1", 45.0),
-        Datum::length("l2", 57.0),
-        Datum::length("l3", 52.0),
-        Datum::degrees("phi", 30.0),
-    ],
+    data: data! {
+        length "crank" 10.0, "two.x" 60.0, "two.y" 5.0, "two.z" 3.0, "three.x" 20.0,
+            "three.y" 55.0, "three.z" -2.0, "l1" 45.0, "l2" 57.0, "l3" 52.0;
+        degrees "phi" 30.0;
+    },
     parameters: 10,
-    unknowns: &[
-        Unknown::slide("p.x", 26.0),
-        Unknown::slide("p.y", 20.0),
-        Unknown::slide("p.z", -40.0),
-    ],
+    unknowns: unknowns! {
+        slide "p.x" 26.0, "p.y" 20.0, "p.z" -40.0;
+    },
     residual: |p| {
         vec![
             distance(p, &pin(p), "l1"),
@@ -36,7 +28,6 @@ const THREE: System = System {
             distance(p, &p.space("three"), "l3"),
         ]
     },
-    outputs,
     gap: |p| {
         let (one, l1) = (pin(p), p.value("l1"));
         let [(n2, d2), (n3, d3)] = [("two", "l2"), ("three", "l3")]
@@ -44,10 +35,8 @@ const THREE: System = System {
         let (on_line, direction) = planes_line([(&n2, &d2), (&n3, &d3)]);
         line_gap(l1, &one, (&on_line, &direction))
     },
-    turned: |_| Big::one(),
     pairs: &[(0, 7), (8, 9)],
-    linear: false,
-    margin: None,
+    ..System::PLAIN
 };
 
 macro_rules! three {
@@ -134,39 +123,129 @@ fn cycles() {
         .check("cycles", &LIMITS);
 }
 
-#[test]
-fn dead_points() {
-    let cases = dead_point_cases(&THREE, &PLAN, 4, 232);
-    compare(&THREE, FORMS, &cases, Depth::Usual)
-        .at_least(55)
-        .check("dead points", &LIMITS);
-}
-
-#[test]
-fn proportions() {
-    let cases = proportion_cases(&THREE, &PLAN, 20, 233);
-    compare(&THREE, FORMS, &cases, Depth::Usual)
-        .at_least(25)
-        .check("proportions", &LIMITS.any_proportions());
-}
-
-#[test]
-fn near_each_other() {
-    let cases = decade_cases(&THREE, near_points, 3, 234);
-    compare(&THREE, FORMS, &cases, Depth::Usual)
-        .at_least(30)
-        .check("near points", &LIMITS.any_proportions());
-}
-
-#[test]
-fn scales() {
-    let cases = scale_cases(&THREE, &PLAN, 4, 235);
-    compare(&THREE, FORMS, &cases, Depth::Usual)
-        .at_least(15)
-        .check("scales", &LIMITS);
+linkage_reference::sets! { THREE, FORMS;
+    dead_points "dead points": dead_point_cases(&PLAN, 4, 232), Usual, LIMITS, at least 55;
+    proportions "proportions":
+        proportion_cases(&PLAN, 20, 233), Usual, LIMITS.any_proportions(), at least 25;
+    near_each_other "near points":
+        decade_cases(near_points, 3, 234), Usual, LIMITS.any_proportions(), at least 30;
+    scales "scales": scale_cases(&PLAN, 4, 235), Usual, LIMITS, at least 15;
 }
 
 #[test]
 fn both_sides_of_the_dead_point() {
     edge(&THREE, FORMS, &PLAN, 2, 236).check("three distances");
+}
+
+// Two distances and a plane.
+
+const TWO: System = System {
+    name: "two distances and a plane",
+    data: data! {
+        length "crank" 10.0, "two.x" 60.0, "two.y" 5.0, "two.z" 3.0, "l1" 45.0, "l2" 57.0;
+        ratio "normal.x" 0.1, "normal.y" 0.9, "normal.z" 0.2;
+        length "height" 13.0;
+        degrees "phi" 30.0;
+    },
+    parameters: 10,
+    unknowns: unknowns! {
+        slide "p.x" 25.0, "p.y" 21.0, "p.z" -40.0;
+    },
+    residual: |p| {
+        vec![
+            distance(p, &pin(p), "l1"),
+            distance(p, &p.space("two"), "l2"),
+            plane(p, "normal", "height"),
+        ]
+    },
+    gap: |p| {
+        let (one, l1) = (pin(p), p.value("l1"));
+        let (normal, offset) = radical([(&one, l1), (&p.space("two"), p.value("l2"))]);
+        let given = (&p.space("normal"), p.value("height"));
+        let (on_line, direction) = planes_line([(&normal, &offset), given]);
+        line_gap(l1, &one, (&on_line, &direction))
+    },
+    pairs: &[(4, 5), (0, 9)],
+    ..System::PLAIN
+};
+
+macro_rules! two {
+    ($name:ident [$($pairs:tt)*] { $($items:tt)* }) => {
+        linkage_reference::form! {
+            $name(phi) -> [p];
+            $($pairs)*
+            fields |g| {
+                crank: g[0], two: [g[1], g[2], g[3]], l1: g[4], l2: g[5],
+                normal: [g[6], g[7], g[8]], height: g[9]
+            }
+            {
+                unit mm;
+                param crank = 10mm;
+                param two = (60mm, 5mm, 3mm);
+                param l1 = 45mm;
+                param l2 = 57mm;
+                param normal = (0.1, 0.9, 0.2);
+                param height = 13mm;
+                input phi = 30deg in 0deg..360deg;
+                unknown p = (25mm, 21mm, -40mm);
+                let one = turn((crank, 0mm, 0mm), (0, 1, 0), phi);
+                $($items)*
+            }
+        }
+    };
+}
+
+two!(height_along_normal [pairs l1 l2, crank height;] {
+    loop distance(p, one) = l1;
+    loop distance(p, two) = l2;
+    loop dot(normal, p) = height;
+});
+
+two!(point_in_plane [] {
+    loop dot(normal, p - height / dot(normal, normal) * normal) = 0mm;
+    loop l2 = norm(two - p);
+    loop dot(p - one, p - one) = l1 * l1;
+});
+
+const TWO_PLAN: Plan = Plan {
+    geometry: |random, spread| {
+        let crank = random.length(spread);
+        // As in the mechanism as written, the first distance is the shortest: the others refer to it.
+        let mut lengths = [0; 2].map(|_| random.length(spread).abs());
+        lengths.sort_by(f64::total_cmp);
+        let size = random.ratio(0.5, 2.0);
+        let [u1, u2, normal] = directions(random, 1.0);
+        let p = pin_of(crank) + lengths[0] * u1;
+        let (two, normal) = (p - lengths[1] * u2, size * normal);
+        let height = normal.dot(&p);
+        vec![
+            crank, two.x, two.y, two.z, lengths[0], lengths[1], normal.x, normal.y, normal.z,
+            height,
+        ]
+    },
+    dead_points: &[(4, 1e-3), (5, 30.0), (9, 1e3)],
+};
+
+const TWO_FORMS: &[Form] = forms![height_along_normal, point_in_plane];
+
+linkage_reference::sets! { TWO, TWO_FORMS;
+    cycles_in_a_plane "cycles": cycle_cases(&TWO_PLAN, 8, 241), Full, LIMITS, at least 20;
+    dead_points_in_a_plane "dead points": dead_point_cases(&TWO_PLAN, 4, 242), Usual, LIMITS, at least 55;
+}
+
+#[test]
+fn proportions_and_scales() {
+    let cases = proportion_cases(&TWO, &TWO_PLAN, 20, 243);
+    compare(&TWO, TWO_FORMS, &cases, Depth::Usual)
+        .at_least(25)
+        .check("proportions", &LIMITS.any_proportions());
+    let cases = scale_cases(&TWO, &TWO_PLAN, 4, 244);
+    compare(&TWO, TWO_FORMS, &cases, Depth::Usual)
+        .at_least(16)
+        .check("scales", &LIMITS);
+}
+
+#[test]
+fn both_sides_of_the_dead_point_in_a_plane() {
+    edge(&TWO, TWO_FORMS, &TWO_PLAN, 2, 245).check("two distances and a plane");
 }

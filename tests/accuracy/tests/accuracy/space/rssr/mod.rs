@@ -4,8 +4,8 @@ mod stress;
 
 use super::{LIMITS, direction};
 use linkage_reference::{
-    Big, Datum, Depth, Form, Output, Plan, Position, Space, System, Unknown, circle_gap, compare,
-    cycle_cases, dead_point_cases, forms, proportion_cases, scale_cases,
+    Depth, Form, Output, Plan, Position, Space, System, Unknown, circle_gap, compare, cycle_cases,
+    data, forms,
 };
 use nalgebra::Vector3;
 
@@ -38,34 +38,22 @@ fn end(p: &Position) -> Space {
 
 pub(crate) const RSSR: System = System {
     name: "RSSR",
-    data: &[
-        Datum::length("crank", 10.0),
-        Datum::length("coupler", 50.0),
-        Datum::length("rocker", 30.0),
-        Datum::length("lift", 3.0),
-        Datum::length("pivot.x", 40.0),
-        Datum::length("pivot.y", 10.0),
-        Datum::length("pivot.z", 5.0),
-        Datum::degrees("gamma1", 50.0),
-        Datum::degrees("gamma2", 10.0),
-        Datum::degrees("phi", 60.0),
-    ],
+    data: data! {
+        length "crank" 10.0, "coupler" 50.0, "rocker" 30.0, "lift" 3.0, "pivot.x" 40.0,
+            "pivot.y" 10.0, "pivot.z" 5.0;
+        degrees "gamma1" 50.0, "gamma2" 10.0, "phi" 60.0;
+    },
     parameters: 9,
     unknowns: &[Unknown::angle("psi", 100.0)],
     residual: |p| vec![(end(p) - pin(p)).norm() - p.value("coupler")],
-    outputs: |p| {
-        let [x, y, z] = end(p).components().map(Output::Value);
-        vec![Output::Angle(p.direction("psi")), x, y, z]
-    },
+    further: |p| Output::lengths(end(p).components()),
     gap: |p| {
         let [_, _, axis] = frame(p);
         let circle = (&centre(p), &axis, p.value("rocker"));
         circle_gap(p.value("coupler"), &pin(p), circle)
     },
-    turned: |_| Big::one(),
     pairs: &[(1, 7), (3, 8)],
-    linear: false,
-    margin: None,
+    ..System::PLAIN
 };
 
 macro_rules! rssr {
@@ -196,26 +184,9 @@ fn cycles() {
         .check("cycles", &LIMITS);
 }
 
-#[test]
-fn dead_points() {
-    let cases = dead_point_cases(&RSSR, &PLAN, 4, 202);
-    compare(&RSSR, FORMS, &cases, Depth::Usual)
-        .at_least(80)
-        .check("dead points", &LIMITS);
-}
-
-#[test]
-fn proportions() {
-    let cases = proportion_cases(&RSSR, &PLAN, 30, 203);
-    compare(&RSSR, FORMS, &cases, Depth::Usual)
-        .at_least(40)
-        .check("proportions", &LIMITS.any_proportions());
-}
-
-#[test]
-fn scales() {
-    let cases = scale_cases(&RSSR, &PLAN, 8, 204);
-    compare(&RSSR, FORMS, &cases, Depth::Usual)
-        .at_least(30)
-        .check("scales", &LIMITS);
+linkage_reference::sets! { RSSR, FORMS;
+    dead_points "dead points": dead_point_cases(&PLAN, 4, 202), Usual, LIMITS, at least 80;
+    proportions "proportions":
+        proportion_cases(&PLAN, 30, 203), Usual, LIMITS.any_proportions(), at least 40;
+    scales "scales": scale_cases(&PLAN, 8, 204), Usual, LIMITS, at least 30;
 }

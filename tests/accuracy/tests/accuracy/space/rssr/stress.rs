@@ -2,9 +2,7 @@
 
 use super::{FORMS, PLAN, RSSR, closed, frame_of};
 use crate::space::{LIMITS, direction};
-use linkage_reference::{
-    Depth, Limits, Measure, Random, compare, decade_cases, edge, far_input_cases, wide_scale_cases,
-};
+use linkage_reference::{Depth, Limits, Measure, Random, compare, decade_cases, edge};
 use nalgebra::Vector3;
 
 fn short_coupler(random: &mut Random, ratio: f64) -> Vec<f64> {
@@ -104,20 +102,10 @@ fn needles() {
         .check("needles", &LIMITS.any_proportions());
 }
 
-#[test]
-fn far_pivots() {
-    let cases = decade_cases(&RSSR, far_pivot, 3, 213);
-    compare(&RSSR, FORMS, &cases, Depth::Usual)
-        .at_least(25)
-        .check("far pivots", &LIMITS.any_proportions());
-}
-
-#[test]
-fn far_inputs() {
-    let cases = far_input_cases(&RSSR, &PLAN, 30, 214);
-    compare(&RSSR, FORMS, &cases, Depth::Usual)
-        .at_least(20)
-        .check("inputs to 1e6 rad", &LIMITS);
+linkage_reference::sets! { RSSR, FORMS;
+    far_pivots "far pivots":
+        decade_cases(far_pivot, 3, 213), Usual, LIMITS.any_proportions(), at least 25;
+    far_inputs "inputs to 1e6 rad": far_input_cases(&PLAN, 30, 214), Usual, LIMITS, at least 20;
 }
 
 #[test]
@@ -125,13 +113,7 @@ fn both_sides_of_the_dead_point() {
     edge(&RSSR, FORMS, &PLAN, 3, 215).check("RSSR");
 }
 
-#[test]
-fn extreme_scales_and_proportions() {
-    let cases = wide_scale_cases(&RSSR, &PLAN, 6, 216);
-    compare(&RSSR, FORMS, &cases, Depth::Usual)
-        .at_least(19)
-        .check(
-            "sizes 1e-140 to 1e140, ratios to 1e8",
-            &LIMITS.any_proportions(),
-        );
+linkage_reference::sets! { RSSR, FORMS;
+    extreme_scales_and_proportions "sizes 1e-140 to 1e140, ratios to 1e8":
+        wide_scale_cases(&PLAN, 6, 216), Usual, LIMITS.any_proportions(), at least 19;
 }
