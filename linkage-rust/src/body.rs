@@ -66,8 +66,16 @@ struct Writer<'a> {
     program: &'a Program,
     runs: Runs,
     names: Vec<Ident>,
-    /// What precedes the operands of a method.
-    methods: BTreeMap<&'static str, Vec<TokenTree>>,
+    /// The code of methods, before the parentheses.
+    methods: BTreeMap<(&'static str, Constants), Vec<TokenTree>>,
+}
+
+/// The constants that a method takes.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+enum Constants {
+    None,
+    Fused,
+    FusedInRows,
 }
 
 impl<'a> Writer<'a> {
@@ -106,21 +114,20 @@ impl<'a> Writer<'a> {
     fn operation(&mut self, instruction: &Instruction, code: &mut Code) {
         match *instruction {
             Instruction::Constant(x) => {
-                self.method("from_f64", || quote!(T::from_f64), code);
+                self.method("from_f64", Constants::None, code);
                 code.group(Delimiter::Parenthesis, literal::float(x));
             }
             Instruction::Unary(operation, x) => self.call(operation.row().call, &[x], code),
             Instruction::Binary(operation, a, b) => self.call(operation.row().call, &[a, b], code),
             Instruction::Ternary(Ternary::Select, s, a, b) if is_nan(self.program, b) => {
-                let method = || quote!(T::unless_negative);
-                self.method("unless_negative", method, code);
+                self.method("unless_negative", Constants::None, code);
                 self.operands(&[s, a], None, code);
             }
             Instruction::Ternary(operation, a, b, c) => {
                 self.call(operation.row().call, &[a, b, c], code);
             }
             Instruction::Fused(operation, a, b, c) => {
-                self.method("mul_add", || quote!(T::mul_add::<__FUSED>), code);
+                self.method("mul_add", Constants::Fused, code);
                 let negative = match operation {
                     Fused::MulAdd => None,
                     Fused::MulSub => Some(2),
@@ -148,19 +155,11 @@ impl<'a> Writer<'a> {
                 }
             }
             RustCall::Method(name) => {
-                let method = || {
-                    let name = format_ident!("{name}");
-                    quote!(T::#name)
-                };
-                self.method(name, method, code);
+                self.method(name, Constants::None, code);
                 self.operands(operands, None, code);
             }
             RustCall::FusedMethod(name) => {
-                let method = || {
-                    let name = format_ident!("{name}");
-                    quote!(T::#name::<__FUSED>)
-                };
-                self.method(name, method, code);
+                self.method(name, Constants::Fused, code);
                 self.operands(operands, None, code);
             }
             // Programs are paired before they are printed; alone they are right all the same.
@@ -173,25 +172,27 @@ impl<'a> Writer<'a> {
     }
 
     fn sin_cos(&mut self, x: Value, code: &mut Code) {
-        let runs = self.runs;
-        let method = || match runs {
-            Runs::Once => quote!(T::sin_cos_with::<__FUSED>),
-            Runs::InRows => quote!(T::sin_cos_in_rows::<__FUSED, __ROWS>),
-            Runs::InRowsOrAlone => quote!(T::sin_cos_shortest::<__FUSED, __ROWS>),
+        let (name, constants) = match self.runs {
+            Runs::Once => ("sin_cos_with", Constants::Fused),
+            Runs::InRows => ("sin_cos_in_rows", Constants::FusedInRows),
+            Runs::InRowsOrAlone => ("sin_cos_shortest", Constants::FusedInRows),
         };
-        self.method("sin_cos", method, code);
+        self.method(name, constants, code);
         self.operands(&[x], None, code);
     }
 
-    /// Writes what precedes the operands of a method, which `tokens` makes.
-    fn method(
-        &mut self,
-        name: &'static str,
-        tokens: impl FnOnce() -> TokenStream,
-        code: &mut Code,
-    ) {
-        let known = self.methods.entry(name);
-        code.trees(known.or_insert_with(|| tokens().into_iter().collect()));
+    /// Writes a method, before the parentheses.
+    fn method(&mut self, name: &'static str, constants: Constants, code: &mut Code) {
+        let known = self.methods.entry((name, constants));
+        code.trees(known.or_insert_with(|| {
+            let name = format_ident!("{name}");
+            let tokens = match constants {
+                Constants::None => quote!(T::#name),
+                Constants::Fused => quote!(T::#name::<__FUSED>),
+                Constants::FusedInRows => quote!(T::#name::<__FUSED, __ROWS>),
+            };
+            tokens.into_iter().collect()
+        }));
     }
 
     /// Writes operands in parentheses, one of them with a minus sign.
@@ -249,7 +250,7 @@ pub(super) fn pairs(program: &Program) -> TokenStream {
     quote!([#(#pairs),*])
 }
 
-/// Returns a call of a method for each number with its value. `method` is what precedes their
+/// Returns a call of a method for each number with its value. `method` is its code before the
 /// parentheses.
 pub(super) fn puts(
     method: TokenStream,
