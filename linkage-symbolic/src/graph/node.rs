@@ -43,7 +43,7 @@ pub enum Node {
     Ternary(Ternary, NodeId, NodeId, NodeId),
 }
 
-// Words as hashes take them: what is derived takes two calls more for each of many look-ups.
+// Words as hashes take them: the derived code takes two calls more for each of many look-ups.
 impl Hash for NodeId {
     fn hash<H: Hasher>(&self, state: &mut H) {
         state.write_u64(self.0 as u64);

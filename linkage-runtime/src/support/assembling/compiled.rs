@@ -120,7 +120,7 @@ pub trait Compiled: Clone {
 /// Fills in the reference inputs. One function for all mechanisms: their code is compiled often
 /// enough.
 fn references<T: Scalar>(inputs: &[Input], at: &mut [T]) {
-    for (index, at) in at.iter_mut().enumerate() {
-        *at = T::from_f64(inputs[index].reference);
+    for (at, input) in at.iter_mut().zip(inputs) {
+        *at = T::from_f64(input.reference);
     }
 }

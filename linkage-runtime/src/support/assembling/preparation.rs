@@ -18,8 +18,8 @@ pub(super) fn lane_inputs<C: Compiled>(
 
 /// Copies one lane. One function for all mechanisms: their code is compiled often enough.
 fn copy_lane<T: Scalar>(lanes: &[T], lane: usize, numbers: &mut [f64]) {
-    for (index, numbers) in numbers.iter_mut().enumerate() {
-        *numbers = lanes[index].lane(lane);
+    for (number, lanes) in numbers.iter_mut().zip(lanes) {
+        *number = lanes.lane(lane);
     }
 }
 

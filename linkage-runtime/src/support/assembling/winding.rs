@@ -23,8 +23,8 @@ pub(super) fn at_estimates<C: Compiled>(mechanism: &C) -> RevolutionsOf<C> {
 }
 
 fn estimates<T: Scalar>(angles: &[Angle], centres: &mut [T]) {
-    for (index, centre) in centres.iter_mut().enumerate() {
-        *centre = T::from_f64(angles[index].estimate);
+    for (centre, angle) in centres.iter_mut().zip(angles) {
+        *centre = T::from_f64(angle.estimate);
     }
 }
 
@@ -62,8 +62,7 @@ pub(super) fn by_lane<C: Compiled>(
 
 /// Sets one lane. One function for all mechanisms: their code is compiled often enough.
 fn set_lane<T: Scalar>(lanes: &mut [T], lane: usize, numbers: &[f64]) {
-    for (index, lanes) in lanes.iter_mut().enumerate() {
-        let number = numbers[index];
+    for (lanes, &number) in lanes.iter_mut().zip(numbers) {
         *lanes = T::from_lanes(|i| if i == lane { number } else { lanes.lane(i) });
     }
 }
