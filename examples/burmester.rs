@@ -2,7 +2,7 @@
 //! four-bars of two links.
 //!
 //! There are four links at most; here all are real, and there are six four-bars. Five of them pass the poses in their order
-//! without being taken apart. `cargo run --release --features design --example burmester` runs this example.
+//! without being taken apart. `cargo example burmester --features design` runs this example.
 
 mod check;
 
