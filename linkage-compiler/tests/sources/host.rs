@@ -1,6 +1,6 @@
-//! The macro of a user's crate and the program share no build of a package.
+//! Builds of packages: the macro of a user's crate and the program share none, tests and macros of this workspace share all.
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 use std::process::Command;
 use std::{env, fs};
 
@@ -25,19 +25,24 @@ struct Builds {
     of_the_program: BTreeSet<String>,
 }
 
-/// Returns the builds of a crate that uses the facade with the given options of Cargo.
-fn builds(options: &[&str]) -> Builds {
+/// Returns the output of `cargo tree` with the given options.
+fn tree(options: &[&str]) -> String {
     let output = Command::new(env!("CARGO"))
         .current_dir(ROOT)
-        .args(["tree", "--package", "linkage-mechanism", "--offline"])
-        .args(["--edges", "normal", "--no-dedupe"])
-        .args(["--prefix", "depth", "--format", " {p} [{f}]"])
+        .args(["tree", "--offline"])
         .args(options)
         .output()
         .expect("cargo runs");
     let messages = String::from_utf8_lossy(&output.stderr);
     assert!(output.status.success(), "{messages}");
-    let tree = String::from_utf8(output.stdout).expect("a text");
+    String::from_utf8(output.stdout).expect("a text")
+}
+
+/// Returns the builds of a crate that uses the facade with the given options of Cargo.
+fn builds(options: &[&str]) -> Builds {
+    let facade = ["--package", "linkage-mechanism", "--edges", "normal"];
+    let printed = ["--no-dedupe", "--prefix", "depth", "--format", " {p} [{f}]"];
+    let tree = tree(&[&facade, &printed[..], options].concat());
     let mut builds = Builds {
         of_the_macro: BTreeSet::new(),
         of_the_program: BTreeSet::new(),
@@ -100,4 +105,27 @@ fn macro_and_program_share_no_build() {
         check(&["--features", &feature]);
         check(&["--no-default-features", "--features", &feature]);
     }
+}
+
+/// Packages of which macros and tests of the workspace have a build each. Nothing of linkage is compiled for both with them.
+const BUILT_TWICE: [&str; 1] = ["serde_json"];
+
+/// `tests/command/Cargo.toml` gives packages the features that others want: without that, the compiler and all that depends on it are
+/// built twice in each run of all tests.
+#[test]
+fn macros_and_tests_of_the_workspace_share_all_builds() {
+    let edges = ["--workspace", "--edges", "normal,build,dev"];
+    let tree = tree(&[&edges[..], &["--prefix", "none", "--format", "{p} [{f}]"]].concat());
+    let builds = tree.lines().map(|line| line.trim_end_matches(" (*)"));
+    let builds: BTreeSet<&str> = builds.filter(|line| !line.is_empty()).collect();
+    let mut features: BTreeMap<(&str, &str), Vec<&str>> = BTreeMap::new();
+    for build in builds {
+        let (package, with) = build.split_once(" [").expect("its features");
+        let mut words = package.split(' ');
+        let named = (words.next().unwrap_or(""), words.next().unwrap_or(""));
+        features.entry(named).or_default().push(with);
+    }
+    assert!(features.keys().any(|(name, _)| *name == "linkage-compiler"));
+    features.retain(|(name, _), with| with.len() > 1 && !BUILT_TWICE.contains(name));
+    assert!(features.is_empty(), "built twice: {features:#?}");
 }

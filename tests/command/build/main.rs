@@ -2,6 +2,7 @@
 //! mechanism as the macro takes it, and how its functions are called with a list of numbers.
 
 mod chosen;
+mod written;
 
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
@@ -11,7 +12,8 @@ use chosen::{Candidate, chosen, swept};
 use linkage_compiler::check;
 use linkage_compiler::ir::{CompiledMechanism, Function};
 use linkage_corpus::{COUNT, sample};
-use linkage_engine::{MechanismCall, Source};
+use proc_macro2::TokenStream;
+use written::written;
 
 /// A mechanism, where it stands, and what it became.
 struct Entry {
@@ -91,22 +93,16 @@ fn main() {
 
 /// The mechanisms of a file.
 fn calls(kind: &str, path: &Path) -> Vec<Entry> {
-    let source = Source::read(path).expect("a mechanism");
-    let calls = source.calls().iter().enumerate();
+    let text = fs::read_to_string(path).expect("a file");
+    let calls = written(&text).into_iter().enumerate();
     calls
-        .map(|(number, found)| entry(kind, path, number, &source, found))
+        .map(|(number, tokens)| entry(kind, path, number, &text, tokens))
         .collect()
 }
 
-fn entry(
-    ending: &str,
-    path: &Path,
-    number: usize,
-    source: &Source,
-    found: &MechanismCall,
-) -> Entry {
-    let checked = check(found.tokens.clone());
-    let tokens: Vec<_> = found.tokens.clone().into_iter().collect();
+fn entry(ending: &str, path: &Path, number: usize, text: &str, tokens: TokenStream) -> Entry {
+    let checked = check(tokens.clone());
+    let tokens: Vec<_> = tokens.into_iter().collect();
     let first = tokens.first().expect("a token").span().byte_range().start;
     let last = tokens.last().expect("a token").span().byte_range().end;
     let stem = path.file_stem().expect("a name").to_string_lossy();
@@ -114,7 +110,7 @@ fn entry(
         name: format!("{ending}_{stem}_{number}"),
         path: path.canonicalize().expect("it is there"),
         number,
-        body: source.text()[first..last].to_owned(),
+        body: text[first..last].to_owned(),
         title: checked.name.expect("it has a name"),
         unit: checked.unit.expect("an example has no mistake"),
     }
