@@ -1,9 +1,9 @@
 //! Chromium: finding and starting it, and a client of its DevTools protocol.
 
 use serde_json::{Value, json};
+use std::ffi::OsStr;
 use std::io::{BufRead, BufReader};
 use std::net::TcpStream;
-use std::os::unix::process::CommandExt;
 use std::path::{Path, PathBuf};
 use std::process::{Child, Command, Stdio};
 use std::sync::{LazyLock, OnceLock};
@@ -51,6 +51,10 @@ pub fn find() -> Option<PathBuf> {
 }
 
 fn search() -> Option<PathBuf> {
+    // A signal to a group of processes ends the browser.
+    if !cfg!(unix) {
+        return None;
+    }
     if let Some(named) = env::var_os("CHROMIUM") {
         let path = PathBuf::from(named);
         assert!(
@@ -102,20 +106,18 @@ impl Chromium {
 
     fn start(program: &Path) -> Self {
         let profile = env::temp_dir().join(format!("linkage-browser-{}", process::id()));
-        let mut child = Command::new(program)
+        let mut child = in_own_group(program)
             .args(FLAGS)
             .arg(format!("--user-data-dir={}", profile.display()))
             .arg("about:blank")
-            .process_group(0)
             .stdin(Stdio::null())
             .stdout(Stdio::null())
             .stderr(Stdio::piped())
             .spawn()
             .unwrap_or_else(|error| panic!("{} does not start: {error}", program.display()));
-        let end = Command::new("sh")
+        let end = in_own_group("sh")
             .args(["-c", END, "sh", &child.id().to_string()])
             .arg(&profile)
-            .process_group(0)
             .stdin(Stdio::piped())
             .stdout(Stdio::null())
             .stderr(Stdio::null())
@@ -128,6 +130,14 @@ impl Chromium {
             address,
         }
     }
+}
+
+/// A command whose process heads a group, so that one signal ends it with all that it starts.
+fn in_own_group(program: impl AsRef<OsStr>) -> Command {
+    let mut command = Command::new(program);
+    #[cfg(unix)]
+    std::os::unix::process::CommandExt::process_group(&mut command, 0);
+    command
 }
 
 /// Reads what the browser says until it tells its address, and goes on reading, so that it is never held up.
