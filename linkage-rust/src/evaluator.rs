@@ -4,6 +4,7 @@ use proc_macro2::{Ident, TokenStream};
 use quote::{ToTokens, quote};
 
 use super::array_fields::entries;
+use super::array_types::Types;
 use super::docs::{behind_name, doc, documented, sentence, tokens, with_note};
 use super::load::Places;
 use super::mechanism::{marker_field, marker_value};
@@ -11,7 +12,7 @@ use super::outline::{Field, Function, Outline, plain};
 use super::shape::field_scalars;
 use super::spanned::{aside, type_at};
 use super::stages::Version;
-use super::{array_types, attribute, debug, literal, result_module, stages};
+use super::{attribute, code, debug, literal, result_module, stages};
 
 /// The result type.
 pub(super) fn result(outline: &Outline, function: &Function) -> TokenStream {
@@ -99,34 +100,29 @@ pub(super) fn method(outline: &Outline, function: &Function) -> TokenStream {
 
 /// The runtime's `Function`: the programs of calls and sweeps.
 pub(super) fn programs(outline: &Outline, function: &Function) -> TokenStream {
-    let Outline { runtime, core, .. } = outline;
-    let everywhere = &attribute::split(function.attributes).everywhere;
-    let result = function.result;
-    let starts = array_types::starts_type(outline);
-    let arguments = function.arguments.iter().map(|argument| plain(argument));
+    let everywhere = attribute::everywhere(function.attributes);
+    let [core, result] = [code::text(&outline.core), code::text(function.result)];
+    let starts = Types::new(outline).starts;
+    let arguments: Vec<_> = function.arguments.iter().map(|name| plain(name)).collect();
     let title = plain(function.name);
     let [called, refining] = [Version::Called, Version::refining(function)]
-        .map(|version| stages::name(function, version));
+        .map(|version| code::text(&stages::name(function, version)));
     let states = match function.states.is_empty() {
-        true => quote!(#runtime::NoStates),
-        false => called.to_token_stream(),
+        true => "__p::NoStates",
+        false => &called,
     };
-    let [inputs, count, width] = [
-        function.arguments.len(),
-        Places::of_function(outline, function).width(),
-        function.width(),
-    ]
-    .map(literal::index);
-    quote! {
-        #(#everywhere)*
-        #[doc(hidden)]
-        impl<T: #runtime::Scalar> #runtime::Function<T, #core<T>, #starts, #inputs, #count, #width> for #result<T> {
-            type Called = #called;
-            type Refining = #refining;
-            type States = #states;
-            const NAMES: &'static #runtime::FunctionNames<#inputs> = &#runtime::function_names(#title, [#(#arguments),*]);
-        }
-    }
+    let inputs = arguments.len();
+    let count = Places::of_function(outline, function).width();
+    let width = function.width();
+    code::tokens(&format!(
+        "{everywhere} #[doc(hidden)]
+        impl<T: __p::Scalar> __p::Function<T, {core}<T>, {starts}, {inputs}, {count}, {width}> for {result}<T> {{
+            type Called = {called};
+            type Refining = {refining};
+            type States = {states};
+            const NAMES: &'static __p::FunctionNames<{inputs}> = &__p::function_names({title:?}, {arguments:?});
+        }}"
+    ))
 }
 
 /// The runtime's `ResultRow` of the result type.
