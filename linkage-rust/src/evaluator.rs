@@ -12,7 +12,7 @@ use super::outline::{Field, Function, Outline, plain};
 use super::shape::field_scalars;
 use super::spanned::{aside, type_at};
 use super::stages::Version;
-use super::{attribute, code, debug, literal, result_module, stages};
+use super::{attribute, code, debug, result_module, stages};
 
 /// The result type.
 pub(super) fn result(outline: &Outline, function: &Function) -> TokenStream {
@@ -127,28 +127,30 @@ pub(super) fn programs(outline: &Outline, function: &Function) -> TokenStream {
 
 /// The runtime's `ResultRow` of the result type.
 pub(super) fn result_row(outline: &Outline, function: &Function) -> TokenStream {
-    let runtime = &outline.runtime;
-    let result = function.result;
-    let everywhere = &attribute::split(function.attributes).everywhere;
-    let width = literal::index(function.width());
-    let row = entries("__row", function.width());
-    let fields = row_fields(outline, function, &row);
-    let from_row = outline.body(quote!(Self { #fields }));
+    let result = code::text(function.result);
+    let everywhere = attribute::everywhere(function.attributes);
+    let width = function.width();
+    let row = entries("__row", width);
+    let fields = code::text(&row_fields(outline, function, &row));
+    let from_row = format!("Self {{ {fields} }}");
     let scalars = function.fields.iter().flat_map(|field| {
         let name = aside(field.name);
         field_scalars(&field.shape, &quote!(self.#name))
     });
-    let to_row = outline.body(quote!([#(#scalars),*]));
-    quote! {
-        #(#everywhere)*
-        impl<T: #runtime::Scalar> #runtime::ResultRow<T, #width> for #result<T> {
+    let scalars: Vec<String> = scalars.map(|scalar| code::text(&scalar)).collect();
+    let to_row = format!("[{}]", scalars.join(","));
+    let [from_row, to_row] = [&from_row, &to_row].map(|body| outline.body_text(body));
+    let row: Vec<String> = row.iter().map(code::text).collect();
+    let row = row.join(",");
+    code::tokens(&format!(
+        "{everywhere} impl<T: __p::Scalar> __p::ResultRow<T, {width}> for {result}<T> {{
             #[inline(always)]
-            fn from_row([#(#row),*]: [T; #width]) -> Self { #from_row }
+            fn from_row([{row}]: [T; {width}]) -> Self {{ {from_row} }}
 
             #[inline(always)]
-            fn to_row(&self) -> [T; #width] { #to_row }
-        }
-    }
+            fn to_row(&self) -> [T; {width}] {{ {to_row} }}
+        }}"
+    ))
 }
 
 /// `tracer: Vector2::new(__row0, __row1), ...`
