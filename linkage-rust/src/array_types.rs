@@ -3,39 +3,38 @@
 use proc_macro2::TokenStream;
 use quote::quote;
 
-use super::literal;
 use super::load::Places;
 use super::outline::{Outline, PreparedGroup};
+use super::{code, literal};
 
-/// The types of a mechanism's numbers, over `T`.
+/// The types of a mechanism's numbers, over `T`, as text for the block around code.
 pub(super) struct Types {
-    pub modes: TokenStream,
-    pub inputs: TokenStream,
-    pub centres: TokenStream,
-    pub windings: TokenStream,
-    pub prepared: TokenStream,
+    pub modes: String,
+    pub inputs: String,
+    pub centres: String,
+    pub windings: String,
+    pub prepared: String,
     /// Inputs and states.
-    pub arguments: TokenStream,
+    pub arguments: String,
+    /// The initial states of coupled groups.
+    pub starts: String,
 }
 
 impl Types {
     pub(super) fn new(outline: &Outline) -> Self {
-        let runtime = &outline.runtime;
-        let [modes, inputs, angles, prepared, arguments] = [
+        let [modes, inputs, angles] = [
             outline.modes.len(),
             outline.inputs.len(),
             outline.continuous_angles,
-            outline.prepared,
-            Places::all(outline).width(),
-        ]
-        .map(literal::index);
+        ];
         Self {
-            modes: quote!([#runtime::AssemblyMode; #modes]),
-            inputs: quote!([T; #inputs]),
-            centres: quote!([T; #angles]),
-            windings: quote!([[T; #inputs]; #angles]),
-            prepared: quote!([T; #prepared]),
-            arguments: quote!([T; #arguments]),
+            modes: format!("[__p::AssemblyMode; {modes}]"),
+            inputs: format!("[T; {inputs}]"),
+            centres: format!("[T; {angles}]"),
+            windings: format!("[[T; {inputs}]; {angles}]"),
+            prepared: format!("[T; {}]", outline.prepared),
+            arguments: format!("[T; {}]", Places::all(outline).width()),
+            starts: code::text(&starts_type(outline)),
         }
     }
 }

@@ -6,7 +6,7 @@
 use proc_macro2::TokenStream;
 use quote::quote;
 
-use super::array_types::{self, Types};
+use super::array_types;
 use super::literal;
 use super::outline::Outline;
 
@@ -21,11 +21,21 @@ pub(super) fn field(outline: &Outline) -> TokenStream {
 /// The type of the core, over `T`.
 pub(super) fn core_type(outline: &Outline) -> TokenStream {
     let Outline { runtime, name, .. } = outline;
-    let Types {
-        modes, prepared, ..
-    } = Types::new(outline);
-    let [angles, inputs] = [outline.continuous_angles, outline.inputs.len()].map(literal::index);
-    quote!(#runtime::Core<#name<T>, #modes, #runtime::Turns<T, #angles, #inputs>, #prepared>)
+    let [modes, angles, inputs, prepared] = [
+        outline.modes.len(),
+        outline.continuous_angles,
+        outline.inputs.len(),
+        outline.prepared,
+    ]
+    .map(literal::index);
+    quote! {
+        #runtime::Core<
+            #name<T>,
+            [#runtime::AssemblyMode; #modes],
+            #runtime::Turns<T, #angles, #inputs>,
+            [T; #prepared],
+        >
+    }
 }
 
 /// A reference to the core of the assembly `of`.

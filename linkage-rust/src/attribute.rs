@@ -1,16 +1,16 @@
 //! Attributes: which lints are silenced in generated code, and where the user's attributes go.
 
 use proc_macro2::{TokenStream, TokenTree};
-use quote::quote;
 
+use super::code;
 use linkage_language::syntax::Attribute;
 
 /// Allows lints about style, which generated code has none of. Lints that users may `forbid` for
 /// good reasons (`missing_docs`, `unsafe_code`) are not in the list: an `allow` would be an error
 /// there.
 pub(super) fn allow() -> TokenStream {
-    quote! {
-        #[allow(
+    code::tokens(
+        "#[allow(
             dead_code,
             deprecated,
             non_camel_case_types,
@@ -25,8 +25,8 @@ pub(super) fn allow() -> TokenStream {
             clippy::nursery,
             clippy::pedantic,
             clippy::restriction
-        )]
-    }
+        )]",
+    )
 }
 
 /// The derives of every generated data type, without those that the user asks for anyway, and
@@ -37,10 +37,10 @@ pub(super) fn derives<'a>(
 ) -> TokenStream {
     let taken = derived(user);
     let wanted = [
-        ("Clone", quote!(::core::clone::Clone)),
-        ("Copy", quote!(::core::marker::Copy)),
-        ("Debug", quote!(::core::fmt::Debug)),
-        ("PartialEq", quote!(::core::cmp::PartialEq)),
+        ("Clone", "::core::clone::Clone"),
+        ("Copy", "::core::marker::Copy"),
+        ("Debug", "::core::fmt::Debug"),
+        ("PartialEq", "::core::cmp::PartialEq"),
     ];
     let paths: Vec<_> = wanted
         .into_iter()
@@ -50,7 +50,7 @@ pub(super) fn derives<'a>(
     if paths.is_empty() {
         TokenStream::new()
     } else {
-        quote!(#[derive(#(#paths),*)])
+        code::tokens(&format!("#[derive({})]", paths.join(",")))
     }
 }
 
@@ -108,4 +108,10 @@ pub(super) fn split(attributes: &[Attribute]) -> FunctionAttributes<'_> {
         }
     }
     split
+}
+
+/// The text of the attributes that go to every item made for a function.
+pub(super) fn everywhere(attributes: &[Attribute]) -> String {
+    let everywhere = split(attributes).everywhere;
+    everywhere.into_iter().map(code::text).collect()
 }

@@ -1,63 +1,39 @@
-//! Tokens in a list, for code of which there is much.
+//! Code as tokens and as text.
 //!
-//! Each stream of tokens is kept by rustc, and every step from stream to stream is a call of it.
-//! A list is one call in all, and one more for each group in it.
+//! The macro runs without optimisation: each token that it makes takes thousands of instructions.
+//! A text is read by rustc, at a tenth of that, so most code is printed as text. Tokens are left
+//! where names have their places in the text of the user.
 
-use proc_macro2::{Delimiter, Group, Ident, Punct, Spacing, Span, TokenStream, TokenTree};
+use std::fmt::{Arguments, Write};
+
+use proc_macro2::{TokenStream, TokenTree};
 use quote::ToTokens;
 
-/// A list of tokens.
-#[derive(Clone, Debug, Default)]
-pub(super) struct Code(Vec<TokenTree>);
+extern crate proc_macro;
 
-impl Code {
-    /// Appends a token.
-    pub(super) fn tree(&mut self, tree: TokenTree) {
-        self.0.push(tree);
-    }
-
-    /// Appends tokens.
-    pub(super) fn trees(&mut self, trees: &[TokenTree]) {
-        for tree in trees {
-            self.0.push(tree.clone());
-        }
-    }
-
-    /// Appends the tokens of another list.
-    pub(super) fn code(&mut self, other: &Self) {
-        self.trees(&other.0);
-    }
-
-    /// Appends the tokens of a stream.
-    pub(super) fn stream(&mut self, stream: TokenStream) {
-        self.0.extend(stream);
-    }
-
-    /// Appends a name.
-    pub(super) fn ident(&mut self, ident: &Ident) {
-        self.0.push(TokenTree::Ident(ident.clone()));
-    }
-
-    /// Appends a word of the language, or a name of generated code.
-    pub(super) fn word(&mut self, word: &str) {
-        self.0.push(Ident::new(word, Span::call_site()).into());
-    }
-
-    /// Appends a sign of one character.
-    pub(super) fn sign(&mut self, sign: char) {
-        self.0.push(Punct::new(sign, Spacing::Alone).into());
-    }
-
-    /// Appends a group.
-    pub(super) fn group(&mut self, delimiter: Delimiter, inner: TokenStream) {
-        self.0.push(Group::new(delimiter, inner).into());
-    }
-
-    /// Returns the list as a stream.
-    pub(super) fn into_stream(self) -> TokenStream {
-        self.0.into_iter().collect()
+/// The tokens of a text. The function of `proc_macro2` would read it twice, without optimisation.
+pub(super) fn tokens(text: &str) -> TokenStream {
+    const READ: &str = "printed code consists of tokens";
+    match proc_macro::is_available() {
+        true => text.parse::<proc_macro::TokenStream>().expect(READ).into(),
+        false => text.parse().expect(READ),
     }
 }
+
+/// The text of tokens.
+pub(super) fn text(tokens: &impl ToTokens) -> String {
+    tokens.to_token_stream().to_string()
+}
+
+/// Appends a formatted text.
+pub(super) fn put(text: Arguments, code: &mut String) {
+    code.write_fmt(text).expect("a string has no errors");
+}
+
+/// A list of tokens. Each stream of tokens is kept by rustc, and every step from stream to stream
+/// is a call of it.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Code(Vec<TokenTree>);
 
 impl From<TokenStream> for Code {
     fn from(stream: TokenStream) -> Self {

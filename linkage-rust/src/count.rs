@@ -1,13 +1,11 @@
 //! Operation counts as text, and as the runtime's `Operations`.
 
 use linkage_symbolic::count::Count;
-use proc_macro2::TokenStream;
-use quote::quote;
 
 /// The counts that the runtime's `Operations` is made of.
-pub(super) fn literal(count: &Count) -> TokenStream {
-    let counts = count.by_class();
-    quote!([#(#counts),*])
+pub(super) fn literal(count: &Count) -> String {
+    let counts = count.by_class().map(|count| format!("{count}u32"));
+    format!("[{}]", counts.join(","))
 }
 
 /// `12 additions, 3 square roots`, or `none`.

@@ -12,10 +12,10 @@ use quote::{format_ident, quote};
 
 use look_up::look_up;
 
-use super::array_types::{Types, starts_type};
+use super::array_types::Types;
 use super::load::Places;
 use super::outline::Outline;
-use super::{assembly_data, body, compiled, literal};
+use super::{assembly_data, body, code, compiled, literal};
 use linkage_compiler::ir::CompiledMechanism;
 
 /// `served()`; nothing where no group is prepared over several inputs.
@@ -59,7 +59,7 @@ fn lookups(outline: &Outline) -> TokenStream {
     let Outline {
         runtime, assembly, ..
     } = outline;
-    let starts = starts_type(outline);
+    let starts = code::tokens(&Types::new(outline).starts);
     let together = extend(outline);
     let inputs = literal::index(outline.inputs.len());
     let width = literal::index(Places::all(outline).width());
@@ -105,9 +105,10 @@ fn programs(outline: &Outline, unit: &CompiledMechanism) -> TokenStream {
         prepared,
         ..
     } = Types::new(outline);
+    let [modes, arguments, prepared] = [modes, arguments, prepared].map(|ty| code::tokens(&ty));
     let program = |kind: &str, number: usize, program: &Program| {
         let method = format_ident!("__{kind}{number}");
-        let body = compiled::program(outline, program, body::outputs);
+        let body = code::tokens(&compiled::program(outline, program, body::outputs));
         let count = literal::index(program.outputs.len());
         // Kernels of a mechanism that is followed run it over rows.
         let inline = (kind == "correct").then(|| quote!(#[inline(always)]));

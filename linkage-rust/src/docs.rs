@@ -3,19 +3,22 @@
 use proc_macro2::TokenStream;
 use quote::quote;
 
+use super::code;
 use linkage_compiler::ir::{CompiledMechanism, Role, plain};
 use linkage_language::syntax::Attribute;
 
 /// `#[doc = " ..."]` for each line.
 pub(super) fn doc(text: &str) -> TokenStream {
-    text.lines()
-        .map(|line| {
-            let line = if line.is_empty() {
-                String::new()
-            } else {
-                format!(" {line}")
-            };
-            quote!(#[doc = #line])
+    code::tokens(&doc_text(text))
+}
+
+/// The text of [`doc`].
+pub(super) fn doc_text(text: &str) -> String {
+    let lines = text.lines();
+    lines
+        .map(|line| match line {
+            "" => "#[doc = \"\"]".to_owned(),
+            line => format!("#[doc = {:?}]", format!(" {line}")),
         })
         .collect()
 }

@@ -4,6 +4,7 @@ use proc_macro2::{Ident, TokenStream};
 use quote::{ToTokens, quote};
 
 use super::array_fields::entries;
+use super::array_types::Types;
 use super::docs::{behind_name, doc, documented, sentence, tokens, with_note};
 use super::load::Places;
 use super::mechanism::{marker_field, marker_value};
@@ -11,7 +12,7 @@ use super::outline::{Field, Function, Outline, plain};
 use super::shape::field_scalars;
 use super::spanned::{aside, type_at};
 use super::stages::Version;
-use super::{array_types, attribute, debug, literal, result_module, stages};
+use super::{attribute, code, debug, result_module, stages};
 
 /// The result type.
 pub(super) fn result(outline: &Outline, function: &Function) -> TokenStream {
@@ -99,60 +100,57 @@ pub(super) fn method(outline: &Outline, function: &Function) -> TokenStream {
 
 /// The runtime's `Function`: the programs of calls and sweeps.
 pub(super) fn programs(outline: &Outline, function: &Function) -> TokenStream {
-    let Outline { runtime, core, .. } = outline;
-    let everywhere = &attribute::split(function.attributes).everywhere;
-    let result = function.result;
-    let starts = array_types::starts_type(outline);
-    let arguments = function.arguments.iter().map(|argument| plain(argument));
+    let everywhere = attribute::everywhere(function.attributes);
+    let [core, result] = [code::text(&outline.core), code::text(function.result)];
+    let starts = Types::new(outline).starts;
+    let arguments: Vec<_> = function.arguments.iter().map(|name| plain(name)).collect();
     let title = plain(function.name);
     let [called, refining] = [Version::Called, Version::refining(function)]
-        .map(|version| stages::name(function, version));
+        .map(|version| code::text(&stages::name(function, version)));
     let states = match function.states.is_empty() {
-        true => quote!(#runtime::NoStates),
-        false => called.to_token_stream(),
+        true => "__p::NoStates",
+        false => &called,
     };
-    let [inputs, count, width] = [
-        function.arguments.len(),
-        Places::of_function(outline, function).width(),
-        function.width(),
-    ]
-    .map(literal::index);
-    quote! {
-        #(#everywhere)*
-        #[doc(hidden)]
-        impl<T: #runtime::Scalar> #runtime::Function<T, #core<T>, #starts, #inputs, #count, #width> for #result<T> {
-            type Called = #called;
-            type Refining = #refining;
-            type States = #states;
-            const NAMES: &'static #runtime::FunctionNames<#inputs> = &#runtime::function_names(#title, [#(#arguments),*]);
-        }
-    }
+    let inputs = arguments.len();
+    let count = Places::of_function(outline, function).width();
+    let width = function.width();
+    code::tokens(&format!(
+        "{everywhere} #[doc(hidden)]
+        impl<T: __p::Scalar> __p::Function<T, {core}<T>, {starts}, {inputs}, {count}, {width}> for {result}<T> {{
+            type Called = {called};
+            type Refining = {refining};
+            type States = {states};
+            const NAMES: &'static __p::FunctionNames<{inputs}> = &__p::function_names({title:?}, {arguments:?});
+        }}"
+    ))
 }
 
 /// The runtime's `ResultRow` of the result type.
 pub(super) fn result_row(outline: &Outline, function: &Function) -> TokenStream {
-    let runtime = &outline.runtime;
-    let result = function.result;
-    let everywhere = &attribute::split(function.attributes).everywhere;
-    let width = literal::index(function.width());
-    let row = entries("__row", function.width());
-    let fields = row_fields(outline, function, &row);
-    let from_row = outline.body(quote!(Self { #fields }));
+    let result = code::text(function.result);
+    let everywhere = attribute::everywhere(function.attributes);
+    let width = function.width();
+    let row = entries("__row", width);
+    let fields = code::text(&row_fields(outline, function, &row));
+    let from_row = format!("Self {{ {fields} }}");
     let scalars = function.fields.iter().flat_map(|field| {
         let name = aside(field.name);
         field_scalars(&field.shape, &quote!(self.#name))
     });
-    let to_row = outline.body(quote!([#(#scalars),*]));
-    quote! {
-        #(#everywhere)*
-        impl<T: #runtime::Scalar> #runtime::ResultRow<T, #width> for #result<T> {
+    let scalars: Vec<String> = scalars.map(|scalar| code::text(&scalar)).collect();
+    let to_row = format!("[{}]", scalars.join(","));
+    let [from_row, to_row] = [&from_row, &to_row].map(|body| outline.body_text(body));
+    let row: Vec<String> = row.iter().map(code::text).collect();
+    let row = row.join(",");
+    code::tokens(&format!(
+        "{everywhere} impl<T: __p::Scalar> __p::ResultRow<T, {width}> for {result}<T> {{
             #[inline(always)]
-            fn from_row([#(#row),*]: [T; #width]) -> Self { #from_row }
+            fn from_row([{row}]: [T; {width}]) -> Self {{ {from_row} }}
 
             #[inline(always)]
-            fn to_row(&self) -> [T; #width] { #to_row }
-        }
-    }
+            fn to_row(&self) -> [T; {width}] {{ {to_row} }}
+        }}"
+    ))
 }
 
 /// `tracer: Vector2::new(__row0, __row1), ...`

@@ -14,7 +14,7 @@ use super::docs::doc;
 use super::load::Places;
 use super::outline::{Outline, plain};
 use super::stages::Version;
-use super::{assembly_data, attribute, literal, stages};
+use super::{assembly_data, attribute, code, literal, stages};
 use functions::{method, single_of};
 
 /// True if a coupled group depends on several inputs: tables over one input need no follower.
@@ -230,7 +230,7 @@ fn single(outline: &Outline, unit: &CompiledMechanism) -> TokenStream {
         }
     });
     let core = assembly_data::core(outline, &quote!(__assembly));
-    let arguments = Types::new(outline).arguments;
+    let arguments = code::tokens(&Types::new(outline).arguments);
     quote! {
         impl<'a, T: #runtime::Scalar> #follower<'a, T> {
             const __STANDING: &'static [#runtime::Standing] = &[#(#standing),*];

@@ -6,115 +6,98 @@ use linkage_core::{Cycle, Level};
 use proc_macro2::TokenStream;
 use quote::{format_ident, quote};
 
-use super::array_types::{Types, start_type, starts_type};
+use super::array_types::{Types, start_type};
 use super::body::Runs;
 use super::load::{Places, loader};
 use super::outline::Outline;
-use super::{body, literal};
+use super::{body, code, literal};
 use linkage_compiler::ir::CompiledMechanism;
 
 /// Both traits.
 pub(super) fn items(outline: &Outline, unit: &CompiledMechanism) -> TokenStream {
-    let Outline { runtime, name, .. } = outline;
-    let Types { arguments, .. } = Types::new(outline);
-    let states = starts_type(outline);
+    let name = code::text(outline.name);
+    let Types {
+        arguments,
+        starts: states,
+        ..
+    } = Types::new(outline);
     let places = Places::all(outline);
     let coupled = !outline.starts.is_empty();
-    let [count, numbers] = [outline.starts.len(), unit.survey.outputs.len()].map(literal::index);
+    let (count, numbers) = (outline.starts.len(), unit.survey.outputs.len());
     let data = data(outline, unit);
     let starts = outline.starts.iter().enumerate().map(|(number, start)| {
-        let number = literal::index(number);
-        let ty = start_type(outline, start);
-        quote!(<#ty>::of::<T>(|__lane| &__lanes[__lane][#number]))
+        let ty = code::text(&start_type(outline, start));
+        format!("<{ty}>::of::<T>(|__lane| &__lanes[__lane][{number}]),")
     });
+    let starts: String = starts.collect();
     let survey = survey(outline, unit, &places);
     let state = outline.starts.iter().enumerate().map(|(number, start)| {
         let first = places.state(number, 0);
-        let [number, first, end] = [number, first, first + start.size].map(literal::index);
-        quote!(#number => &mut __x[#first..#end],)
+        format!("{number} => &mut __x[{first}..{}],", first + start.size)
     });
-    let state_mut = coupled.then(|| {
-        quote! {
-            fn state_mut(__x: &mut #arguments, __number: __p::usize) -> &mut [T] {
-                match __number { #(#state)* _ => &mut [] }
-            }
-        }
-    });
+    let state_mut = match coupled {
+        true => format!(
+            "fn state_mut(__x: &mut {arguments}, __number: __p::usize) -> &mut [T] {{
+                match __number {{ {} _ => &mut [] }}
+            }}",
+            state.collect::<String>()
+        ),
+        false => String::new(),
+    };
     let plain = plain(outline, unit);
-    quote! {
-        #runtime::if_alloc! {
-            impl<T: #runtime::Scalar> #runtime::Grouped for #name<T> {
-                const COUPLED: __p::bool = #coupled;
-                type Lane = [#runtime::Start; #count];
-                type Survey = [T; #numbers];
+    let grouped = code::tokens(&format!(
+        "impl<T: __p::Scalar> __p::Grouped for {name}<T> {{
+            const COUPLED: __p::bool = {coupled};
+            type Lane = [__p::Start; {count}];
+            type Survey = [T; {numbers}];
 
-                fn group_data(&self) -> &'static #runtime::GroupData { const { &#data } }
+            fn group_data(&self) -> &'static __p::GroupData {{ const {{ &{data} }} }}
 
-                fn states(&self, __lanes: &[[#runtime::Start; #count]]) -> #states { (#(#starts,)*) }
+            fn states(&self, __lanes: &[[__p::Start; {count}]]) -> {states} {{ ({starts}) }}
 
-                fn survey<const __SLACKS: __p::bool>(
-                    __core: &#runtime::CoreOf<Self>,
-                    __x: #arguments,
-                ) -> [T; #numbers] {
-                    const __FUSED: __p::bool = #runtime::FUSED;
-                    let (__m, __modes, __prepared) = __core.loaded();
-                    #survey
-                }
-                #state_mut
-            }
-            #plain
-        }
-    }
+            fn survey<const __SLACKS: __p::bool>(
+                __core: &__p::CoreOf<Self>,
+                __x: {arguments},
+            ) -> [T; {numbers}] {{
+                const __FUSED: __p::bool = __p::FUSED;
+                let (__m, __modes, __prepared) = __core.loaded();
+                {survey}
+            }}
+            {state_mut}
+        }}"
+    ));
+    quote!(__p::if_alloc! { #grouped #plain })
 }
 
 /// The body of the survey, which ends after the slacks if only they are asked for.
-fn survey(outline: &Outline, unit: &CompiledMechanism, places: &Places) -> TokenStream {
-    let runtime = &outline.runtime;
+fn survey(outline: &Outline, unit: &CompiledMechanism, places: &Places) -> String {
     let slacks = 1..=unit.groups.len();
     let (survey, count) = unit.survey.beginning_with(slacks.clone());
     let load = loader(outline, places);
     let [first, rest] = body::parts(&survey, Runs::Once, &load, count);
-    let slacks = slacks.map(|k| body::name(survey.outputs[k]));
+    let slacks = body::array(&survey.outputs[slacks]);
     let outputs = body::outputs(&survey);
-    quote! {
-        #first
-        if __SLACKS { return #runtime::slacks([#(#slacks),*]); }
-        #rest
-        #outputs
-    }
+    format!("{first} if __SLACKS {{ return __p::slacks({slacks}); }} {rest} {outputs}")
 }
 
 /// The runtime's `GroupData`.
-fn data(outline: &Outline, unit: &CompiledMechanism) -> TokenStream {
-    let runtime = &outline.runtime;
+fn data(outline: &Outline, unit: &CompiledMechanism) -> String {
     let levels = unit.levels().into_iter().map(|level| match level {
-        Level::Modes(mode) => {
-            let mode = literal::index(mode);
-            quote!(#runtime::Level::Modes(#mode))
-        }
-        Level::Coupled(number) => {
-            let number = literal::index(number);
-            quote!(#runtime::Level::Coupled(#number))
-        }
-        Level::Single => quote!(#runtime::Level::Single),
+        Level::Modes(mode) => format!("__p::Level::Modes({mode}),"),
+        Level::Coupled(number) => format!("__p::Level::Coupled({number}),"),
+        Level::Single => "__p::Level::Single,".to_owned(),
     });
-    let slacks = unit.groups.iter().map(|group| {
-        let slack = match group.slack {
-            Slack::Number => quote!(Number),
-            Slack::Relative => quote!(Relative),
-            Slack::Signed => quote!(Signed),
-            Slack::Prepared => quote!(Prepared),
-        };
-        quote!(#runtime::Slack::#slack)
+    let slacks = unit.groups.iter().map(|group| match group.slack {
+        Slack::Number => "__p::Slack::Number,",
+        Slack::Relative => "__p::Slack::Relative,",
+        Slack::Signed => "__p::Slack::Signed,",
+        Slack::Prepared => "__p::Slack::Prepared,",
     });
     let groups = match outline.starts.is_empty() {
-        true => quote!(&[]),
-        false => {
-            let assembly = &outline.assembly;
-            quote!(&#assembly::<__p::f64>::__GROUPS)
-        }
+        true => "&[]".to_owned(),
+        false => format!("&{}::<__p::f64>::__GROUPS", outline.assembly),
     };
-    let surveying = literal::index(unit.surveying);
+    let surveying = unit.surveying;
     let unknowns = unit.surveyed.iter().map(|surveyed| {
         let unknown = &unit.unknowns[surveyed.unknown];
         let name = &unknown.name;
@@ -123,8 +106,10 @@ fn data(outline: &Outline, unit: &CompiledMechanism) -> TokenStream {
             true => "",
             false => &unknown.unit,
         };
-        let numbers = literal::index(surveyed.numbers);
-        quote!(#runtime::surveyed(#name, #unit, #angle, #numbers))
+        format!(
+            "__p::surveyed({name:?}, {unit:?}, {angle}, {}),",
+            surveyed.numbers
+        )
     });
     let repeats = unit.repeats();
     let cycle = match &unit.inputs[..] {
@@ -135,23 +120,26 @@ fn data(outline: &Outline, unit: &CompiledMechanism) -> TokenStream {
                 angle,
                 samples,
             } = input.cycle();
-            let (low, high) = (literal::float(low), literal::float(high));
-            let samples = literal::index(samples);
-            quote!(__p::Some(#runtime::Cycle { low: #low, high: #high, angle: #angle, samples: #samples }))
+            let [low, high] = [low, high].map(literal::float_text);
+            format!(
+                "__p::Some(__p::Cycle {{ low: {low}, high: {high}, angle: {angle}, samples: {samples} }})"
+            )
         }
-        _ => quote!(__p::None),
+        _ => "__p::None".to_owned(),
     };
-    quote! {
-        #runtime::GroupData {
-            levels: &[#(#levels),*],
-            slacks: &[#(#slacks),*],
-            coupled: #groups,
-            surveying: #surveying,
-            unknowns: &[#(#unknowns),*],
-            repeats: #repeats,
-            cycle: #cycle,
-        }
-    }
+    let levels: String = levels.collect();
+    let (slacks, unknowns) = (slacks.collect::<String>(), unknowns.collect::<String>());
+    format!(
+        "__p::GroupData {{
+            levels: &[{levels}],
+            slacks: &[{slacks}],
+            coupled: {groups},
+            surveying: {surveying},
+            unknowns: &[{unknowns}],
+            repeats: {repeats},
+            cycle: {cycle},
+        }}"
+    )
 }
 
 /// The programs of the coupled groups on plain numbers, and bounds of surveys.

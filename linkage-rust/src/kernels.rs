@@ -4,14 +4,13 @@
 use linkage_symbolic::passes::stages::Stage;
 use linkage_symbolic::program::Program;
 use proc_macro2::TokenStream;
-use quote::quote;
 
 use super::array_types::Types;
 use super::load::Places;
 use super::outline::{Function, Outline};
 use super::slots::Slots;
 use super::stages::Version;
-use super::{attribute, literal, stages};
+use super::{attribute, code, stages};
 
 /// The runtime's `SetStages` for the stages of a function that refines; nothing for a function without
 /// inputs. `prepare` computes all prepared slots.
@@ -24,36 +23,37 @@ pub(super) fn items(
     if function.arguments.is_empty() || outline.parameters.is_empty() {
         return TokenStream::new();
     }
-    let Outline { runtime, name, .. } = outline;
-    let everywhere = &attribute::split(function.attributes).everywhere;
-    let marker = stages::name(function, Version::refining(function));
+    let everywhere = attribute::everywhere(function.attributes);
+    let name = code::text(outline.name);
+    let marker = code::text(&stages::name(function, Version::refining(function)));
     let slots = Slots::for_stages(stages, prepare);
     let modes = Types::new(outline).modes;
     let prepare = slots.prepare(outline).map(|prepare| {
-        quote! {
-            #[inline(always)]
+        format!(
+            "#[inline(always)]
             fn prepare<const __FUSED: __p::bool>(
-                __m: &#name<T>,
-                __modes: &#modes,
-                __turns: &#runtime::RevolutionsOf<#name<T>>,
-                __slots: &mut impl #runtime::RowNumbersMut<T>,
-            ) { #prepare }
-        }
+                __m: &{name}<T>,
+                __modes: &{modes},
+                __turns: &__p::RevolutionsOf<{name}<T>>,
+                __slots: &mut impl __p::RowNumbersMut<T>,
+            ) {{ {prepare} }}"
+        )
     });
-    let [count, all] = [slots.count(), outline.prepared].map(literal::index);
+    let prepare = prepare.unwrap_or_default();
     let used = slots.numbers();
+    let (count, all) = (used.len(), outline.prepared);
     let dimensions = outline.scalar_fields().len();
-    let arguments = Places::of_function(outline, function).width();
-    let widths =
-        [0, function.arguments.len(), arguments].map(|width| literal::index(dimensions + width));
-    quote! {
-        #runtime::if_alloc! {
-            #(#everywhere)*
-            impl<T: #runtime::Scalar> #runtime::SetStages<#name<T>, #(#widths),*> for #marker {
-                type Prepared<const __BLOCK: __p::usize> = #runtime::Block<T, __BLOCK, #count>;
-                const COLUMNS: &'static [__p::usize] = &#runtime::columns_of::<#all>(&[#(#used),*]);
-                #prepare
-            }
-        }
-    }
+    let inputs = dimensions + function.arguments.len();
+    let arguments = dimensions + Places::of_function(outline, function).width();
+    code::tokens(&format!(
+        "__p::if_alloc! {{
+            {everywhere} impl<T: __p::Scalar>
+                __p::SetStages<{name}<T>, {dimensions}, {inputs}, {arguments}> for {marker}
+            {{
+                type Prepared<const __BLOCK: __p::usize> = __p::Block<T, __BLOCK, {count}>;
+                const COLUMNS: &'static [__p::usize] = &__p::columns_of::<{all}>(&{used:?});
+                {prepare}
+            }}
+        }}"
+    ))
 }

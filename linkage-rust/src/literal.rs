@@ -1,29 +1,27 @@
-//! Numbers as tokens.
-
-use std::str::FromStr;
+//! Numbers as tokens and as text.
 
 use proc_macro2::{Literal, TokenStream};
-use quote::quote;
+
+use super::code;
 
 /// An `f64` expression of exactly this value: shortest digits that read back the same, an exponent
 /// where that is shorter, parentheses around a negative number so that nothing binds to its sign.
 pub(super) fn float(x: f64) -> TokenStream {
+    code::tokens(&float_text(x))
+}
+
+/// The text of [`float`].
+pub(super) fn float_text(x: f64) -> String {
     if x.is_nan() {
-        return quote!(__p::f64::NAN);
-    }
-    if x.is_infinite() {
-        return if x > 0.0 {
-            quote!(__p::f64::INFINITY)
-        } else {
-            quote!(__p::f64::NEG_INFINITY)
-        };
-    }
-    let text = format!("{:?}f64", x.abs());
-    let literal = Literal::from_str(&text).unwrap_or_else(|_| Literal::f64_suffixed(x.abs()));
-    if x.is_sign_negative() {
-        quote!((-#literal))
+        "__p::f64::NAN".to_owned()
+    } else if x == f64::INFINITY {
+        "__p::f64::INFINITY".to_owned()
+    } else if x == f64::NEG_INFINITY {
+        "__p::f64::NEG_INFINITY".to_owned()
+    } else if x.is_sign_negative() {
+        format!("({x:?}f64)")
     } else {
-        quote!(#literal)
+        format!("{x:?}f64")
     }
 }
 

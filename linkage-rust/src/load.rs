@@ -4,11 +4,8 @@
 //! states of coupled groups. A stage has all of these in its `__core` and its `__row`.
 
 use linkage_symbolic::program::Source;
-use proc_macro2::Delimiter;
-use quote::{ToTokens, quote};
 
-use super::code::Code;
-use super::literal;
+use super::code::{self, put};
 use super::outline::{Function, Outline};
 
 /// The order of the numbers in `__x`.
@@ -69,14 +66,14 @@ impl Places {
 pub(super) fn loader<'a>(
     outline: &'a Outline,
     places: &'a Places,
-) -> impl Fn(Source, &mut Code) + 'a {
+) -> impl Fn(Source, &mut String) + 'a {
     let names = Names {
-        mechanism: quote!(__m).into(),
-        modes: quote!(__modes).into(),
-        number: quote!(__x).into(),
-        prepared: quote!(__prepared).into(),
-        kept: Code::default(),
-        brackets: Delimiter::Bracket,
+        mechanism: "__m",
+        modes: "__modes",
+        number: "__x",
+        prepared: "__prepared",
+        kept: "",
+        brackets: ['[', ']'],
     };
     loader_by(outline, places, names, &[])
 }
@@ -86,35 +83,35 @@ pub(super) fn stage_loader<'a>(
     outline: &'a Outline,
     places: &'a Places,
     taken: &'a [usize],
-) -> impl Fn(Source, &mut Code) + 'a {
+) -> impl Fn(Source, &mut String) + 'a {
     let names = Names {
-        mechanism: quote!(__core.dimensions).into(),
-        modes: quote!(__core.modes).into(),
-        number: quote!(__row.number).into(),
-        prepared: quote!(__row.prepared).into(),
-        kept: quote!(__row.kept).into(),
-        brackets: Delimiter::Parenthesis,
+        mechanism: "__core.dimensions",
+        modes: "__core.modes",
+        number: "__row.number",
+        prepared: "__row.prepared",
+        kept: "__row.kept",
+        brackets: ['(', ')'],
     };
     loader_by(outline, places, names, taken)
 }
 
 /// The names of the numbers, those of lists without the index.
 struct Names {
-    mechanism: Code,
-    modes: Code,
+    mechanism: &'static str,
+    modes: &'static str,
     /// Inputs and states.
-    number: Code,
-    prepared: Code,
+    number: &'static str,
+    prepared: &'static str,
     /// Numbers of earlier stages; a program that is no stage takes nothing over.
-    kept: Code,
+    kept: &'static str,
     /// Around the index.
-    brackets: Delimiter,
+    brackets: [char; 2],
 }
 
 impl Names {
-    fn entry(&self, list: &Code, index: usize, code: &mut Code) {
-        code.code(list);
-        code.group(self.brackets, literal::index(index).into_token_stream());
+    fn entry(&self, list: &str, index: usize, code: &mut String) {
+        let [before, behind] = self.brackets;
+        put(format_args!("{list}{before}{index}{behind}"), code);
     }
 }
 
@@ -123,33 +120,30 @@ fn loader_by<'a>(
     places: &'a Places,
     names: Names,
     taken: &'a [usize],
-) -> impl Fn(Source, &mut Code) + 'a {
-    let runtime = &outline.runtime;
+) -> impl Fn(Source, &mut String) + 'a {
     let fields = outline.scalar_fields();
+    let fields: Vec<String> = fields.iter().map(code::text).collect();
     move |source, code| match source {
         Source::Parameter(index) => {
-            code.code(&names.mechanism);
-            code.sign('.');
-            code.stream(fields[index].clone());
+            put(format_args!("{}.{}", names.mechanism, fields[index]), code);
         }
-        Source::Input(input) => names.entry(&names.number, places.input(input), code),
+        Source::Input(input) => names.entry(names.number, places.input(input), code),
         Source::State(group, component) => {
-            names.entry(&names.number, places.state(group, component), code);
+            names.entry(names.number, places.state(group, component), code);
         }
-        Source::Limit => code.stream(quote!(T::from_f64(T::CORRECTION_LIMIT))),
-        Source::Mode(mode) => {
-            let (modes, mode) = (&names.modes, literal::index(mode));
-            code.stream(quote!(T::from_f64(#runtime::AssemblyMode::sign(#modes[#mode]))));
-        }
-        Source::Centre(angle) => {
-            let angle = literal::index(angle);
-            code.stream(quote!(__turns.centres[#angle]));
-        }
+        Source::Limit => code.push_str("T::from_f64(T::CORRECTION_LIMIT)"),
+        Source::Mode(mode) => put(
+            format_args!(
+                "T::from_f64(__p::AssemblyMode::sign({}[{mode}]))",
+                names.modes
+            ),
+            code,
+        ),
+        Source::Centre(angle) => put(format_args!("__turns.centres[{angle}]"), code),
         Source::Winding(angle, input) => {
-            let (angle, input) = (literal::index(angle), literal::index(input));
-            code.stream(quote!(__turns.windings[#angle][#input]));
+            put(format_args!("__turns.windings[{angle}][{input}]"), code);
         }
-        Source::Prepared(slot) => names.entry(&names.prepared, slot, code),
-        Source::Carried(index) => names.entry(&names.kept, taken[index], code),
+        Source::Prepared(slot) => names.entry(names.prepared, slot, code),
+        Source::Carried(index) => names.entry(names.kept, taken[index], code),
     }
 }

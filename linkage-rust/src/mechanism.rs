@@ -9,7 +9,7 @@ use super::code::joined;
 use super::docs::{self, doc, documented, tokens, with_note};
 use super::outline::{Component, Outline, Parameter, plain};
 use super::spanned::aside;
-use super::{attribute, literal};
+use super::{attribute, code, literal};
 use linkage_compiler::ir::in_degrees;
 
 /// The default of the struct and its conversions.
@@ -153,15 +153,16 @@ fn from_scalars(outline: &Outline, scalars: &mut dyn Iterator<Item = TokenStream
 }
 
 /// `INPUTS`, `PARAMETERS`, `STRUCTURE` and the named indices.
-pub(super) fn constants(outline: &Outline, structure: &TokenStream) -> TokenStream {
-    let Outline { runtime, name, .. } = outline;
+pub(super) fn constants(outline: &Outline, structure: &str) -> TokenStream {
+    let name = outline.name;
     let components = outline.parameters.iter().flat_map(|p| &p.components);
     let rows = components.map(|component| {
-        let (name, unit) = (&component.name, &component.unit);
-        let nominal = literal::float(component.nominal);
-        let tolerance = literal::float(component.tolerance);
-        quote!(#runtime::parameter(#name, #unit, #nominal, #tolerance))
+        let Component { name, unit, .. } = component;
+        let [nominal, tolerance] =
+            [component.nominal, component.tolerance].map(literal::float_text);
+        format!("__p::parameter({name:?}, {unit:?}, {nominal}, {tolerance}),")
     });
+    let rows: String = rows.collect();
     let indices =
         index_names(outline)
             .into_iter()
@@ -176,25 +177,31 @@ pub(super) fn constants(outline: &Outline, structure: &TokenStream) -> TokenStre
             });
     let inputs = outline.inputs.iter().map(|input| {
         let (name, unit) = (plain(input.name), &input.unit);
-        let reference = literal::float(input.reference);
+        let reference = literal::float_text(input.reference);
         let range = match input.range {
             Some((low, high)) => {
-                let (low, high) = (literal::float(low), literal::float(high));
-                quote!(__p::Some((#low, #high)))
+                let [low, high] = [low, high].map(literal::float_text);
+                format!("__p::Some(({low}, {high}))")
             }
-            None => quote!(__p::None),
+            None => "__p::None".to_owned(),
         };
-        quote!(#runtime::Input { name: #name, unit: #unit, reference: #reference, range: #range })
+        format!(
+            "__p::Input {{ name: {name:?}, unit: {unit:?}, reference: {reference}, range: {range} }},"
+        )
     });
+    let inputs: String = inputs.collect();
+    let tables = code::tokens(&format!(
+        "/// The inputs in declaration order, with their reference positions and ranges.
+        pub const INPUTS: &'static [__p::Input] = &[{inputs}];
+        /// The scalar parameters in declaration order, with the defaults and tolerances of the declaration, in
+        /// the units of the fields.
+        pub const PARAMETERS: &'static [__p::Parameter] = &[{rows}];
+        /// The groups in the order in which they are solved, their methods, and operation counts.
+        pub const STRUCTURE: &'static __p::Structure = &{structure};"
+    ));
     quote! {
         impl #name<__p::f64> {
-            /// The inputs in declaration order, with their reference positions and ranges.
-            pub const INPUTS: &'static [#runtime::Input] = &[#(#inputs),*];
-            /// The scalar parameters in declaration order, with the defaults and tolerances of the declaration, in
-            /// the units of the fields.
-            pub const PARAMETERS: &'static [#runtime::Parameter] = &[#(#rows),*];
-            /// The groups in the order in which they are solved, their methods, and operation counts.
-            pub const STRUCTURE: &'static #runtime::Structure = &#structure;
+            #tables
             #(#indices)*
         }
     }

@@ -207,6 +207,14 @@ impl<'a> Outline<'a> {
         }
     }
 
+    /// The text of a body, or of a panic if the outline has no program.
+    pub(super) fn body_text<'b>(&self, body: &'b str) -> &'b str {
+        match self.complete {
+            true => body,
+            false => "::core::unimplemented!(\"the mechanism has errors\")",
+        }
+    }
+
     /// Field accesses of all scalar parameters in order: `crank`, `pivot_d.x`, ...
     pub(super) fn scalar_fields(&self) -> Vec<TokenStream> {
         self.parameters

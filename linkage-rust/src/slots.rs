@@ -4,13 +4,11 @@ use std::collections::BTreeSet;
 
 use linkage_symbolic::passes::stages::Stage;
 use linkage_symbolic::program::Program;
-use proc_macro2::{Literal, TokenStream};
-use quote::quote;
 
 use super::body::{self, Runs};
+use super::compiled;
 use super::load::{Places, loader};
 use super::outline::Outline;
-use super::{compiled, literal};
 
 /// The largest number of slots not used by a function that its sweeps compute and leave to the
 /// optimiser. With more of them, as in a machine of many parts, the function has a separate
@@ -37,22 +35,18 @@ impl Slots {
         Self { used, program }
     }
 
-    pub(super) fn count(&self) -> usize {
-        self.used.len()
-    }
-
     /// The numbers of the slots.
-    pub(super) fn numbers(&self) -> impl Iterator<Item = Literal> {
-        self.used.iter().map(|&slot| literal::index(slot))
+    pub(super) fn numbers(&self) -> &[usize] {
+        &self.used
     }
 
     /// Statements that put them into `__slots`, for its dimensions `__m`, by `__modes` and
     /// `__turns`; `None` where the program of all slots does it.
-    pub(super) fn prepare(&self, outline: &Outline) -> Option<TokenStream> {
+    pub(super) fn prepare(&self, outline: &Outline) -> Option<String> {
         let program = self.program.as_ref()?;
         let places = Places::all(outline);
         let statements = body::statements(program, Runs::Once, &loader(outline, &places));
         let puts = compiled::put(program, self.used.iter().copied());
-        Some(quote!(#statements #puts))
+        Some(statements + &puts)
     }
 }

@@ -3,12 +3,12 @@
 use linkage_symbolic::passes::stages::{Stage, memory};
 use linkage_symbolic::program::Value;
 use proc_macro2::{Ident, Span, TokenStream};
-use quote::{format_ident, quote};
+use quote::format_ident;
 
 use super::body::{self, Runs};
 use super::load::{Places, stage_loader};
 use super::outline::{Function, Outline};
-use super::{attribute, literal};
+use super::{attribute, code};
 use linkage_compiler::ir::Body;
 
 /// The programs that a function can have.
@@ -54,12 +54,6 @@ pub(super) fn items(
     body: &Body,
     version: Version,
 ) -> TokenStream {
-    let Outline {
-        runtime,
-        visibility,
-        core,
-        ..
-    } = outline;
     let runs = match body.compares_sines {
         true => Runs::InRows,
         false => Runs::InRowsOrAlone,
@@ -67,97 +61,94 @@ pub(super) fn items(
     let staged = Staged {
         outline,
         function,
-        name: name(function, version),
+        name: code::text(&name(function, version)),
+        core: code::text(&outline.core),
+        everywhere: attribute::everywhere(function.attributes),
         runs,
     };
-    let name = &staged.name;
-    let everywhere = &attribute::split(function.attributes).everywhere;
-    let [count, width, memory] = [
-        Places::of_function(outline, function).width(),
-        function.width(),
-        memory(&body.stages),
-    ]
-    .map(literal::index);
-    let numbers = (0..body.stages.len()).map(literal::index);
+    let Staged {
+        name,
+        core,
+        everywhere,
+        ..
+    } = &staged;
+    let visibility = code::text(outline.visibility);
+    let count = Places::of_function(outline, function).width();
+    let width = function.width();
+    let memory = memory(&body.stages);
+    let run = (0..body.stages.len()).map(|number| format!("__stages.stage::<{number}>();"));
+    let run: String = run.collect();
     let stages = body.stages.iter().enumerate();
     let stages = stages.map(|(number, stage)| staged.stage(number, stage));
-    quote! {
-        #(#everywhere)*
-        #[doc(hidden)]
-        #visibility struct #name;
-
-        #(#everywhere)*
-        impl<T: #runtime::Scalar> #runtime::Staged<T, #core<T>, #count, #width> for #name {
+    let stages: String = stages.collect();
+    code::tokens(&format!(
+        "{everywhere} #[doc(hidden)] {visibility} struct {name};
+        {everywhere} impl<T: __p::Scalar> __p::Staged<T, {core}<T>, {count}, {width}> for {name} {{
             const WIDE: __p::bool = !::core::cfg!(debug_assertions);
-            type Memory<const __BLOCK: __p::usize> = #runtime::Block<T, __BLOCK, #memory>;
-
+            type Memory<const __BLOCK: __p::usize> = __p::Block<T, __BLOCK, {memory}>;
             #[inline(always)]
-            fn run(__stages: &mut impl #runtime::RunStages<T, #core<T>, Self>) {
-                #(__stages.stage::<#numbers>();)*
-            }
-        }
-        #(#stages)*
-    }
+            fn run(__stages: &mut impl __p::RunStages<T, {core}<T>, Self>) {{ {run} }}
+        }}
+        {stages}"
+    ))
 }
 
 /// A program whose stages are printed.
 struct Staged<'a> {
     outline: &'a Outline<'a>,
     function: &'a Function<'a>,
-    name: Ident,
+    name: String,
+    core: String,
+    everywhere: String,
     runs: Runs,
 }
 
 impl Staged<'_> {
     /// From the arguments that the stage reads and the values that earlier stages keep to the
     /// values that it keeps for later stages, and results.
-    fn stage(&self, number: usize, stage: &Stage) -> TokenStream {
+    fn stage(&self, number: usize, stage: &Stage) -> String {
         let Self {
             outline,
             function,
             name,
+            core,
+            everywhere,
             runs,
         } = self;
-        let Outline { runtime, core, .. } = outline;
         let Stage {
             program,
             taken,
             kept,
             results,
         } = stage;
-        let everywhere = &attribute::split(function.attributes).everywhere;
         let places = Places::of_function(outline, function);
         let load = stage_loader(outline, &places, taken);
         let statements = body::statements(program, *runs, &load);
         let (next, finished) = program.outputs.split_at(kept.len());
-        let put = |method: TokenStream, values: &[Value], numbers: &[usize]| {
+        let put = |method: &str, values: &[Value], numbers: &[usize]| {
             let values = numbers.iter().copied().zip(values.iter().copied());
             body::puts(method, values)
         };
-        let keep = put(quote!(__row.keep), next, kept);
-        let finish = put(quote!(__row.finish), finished, results);
-        let written = results.iter().map(|&result| literal::index(result));
-        let write = (!results.is_empty()).then(|| {
-            quote! {
-                #[inline(always)]
-                fn write(__rows: &mut impl #runtime::FinishedRows) { #(__rows.write(#written);)* }
-            }
-        });
-        let number = literal::index(number);
-        quote! {
-            #(#everywhere)*
-            impl<T: #runtime::Scalar> #runtime::Stage<T, #core<T>, #number> for #name {
+        let keep = put("__row.keep", next, kept);
+        let finish = put("__row.finish", finished, results);
+        let write = results.iter();
+        let write = write.map(|result| format!("__rows.write({result});"));
+        let write = match results.is_empty() {
+            true => String::new(),
+            false => format!(
+                "#[inline(always)] fn write(__rows: &mut impl __p::FinishedRows) {{ {} }}",
+                write.collect::<String>()
+            ),
+        };
+        format!(
+            "{everywhere} impl<T: __p::Scalar> __p::Stage<T, {core}<T>, {number}> for {name} {{
                 #[inline(always)]
                 fn row<const __FUSED: __p::bool, const __ROWS: __p::bool>(
-                    __core: &#core<T>,
-                    __row: &mut impl #runtime::StageRow<T>,
-                ) {
-                    #statements
-                    #keep
-                    #finish
-                }
-                #write
-            }
-        }
+                    __core: &{core}<T>,
+                    __row: &mut impl __p::StageRow<T>,
+                ) {{ {statements} {keep} {finish} }}
+                {write}
+            }}"
+        )
     }
 }

@@ -2,10 +2,9 @@
 //! `Table`.
 
 use proc_macro2::TokenStream;
-use quote::quote;
 
 use super::outline::{Function, Outline, plain};
-use super::{attribute, literal};
+use super::{attribute, code};
 use linkage_compiler::ir::{Column, Meaning};
 
 /// The trait for the columns of a function; nothing for a function without arguments.
@@ -13,67 +12,58 @@ pub(super) fn items(outline: &Outline, function: &Function, columns: &[Column]) 
     if function.arguments.is_empty() {
         return TokenStream::new();
     }
-    let runtime = &outline.runtime;
-    let ty = &function.columns;
+    let everywhere = attribute::everywhere(function.attributes);
+    let ty = code::text(&function.columns);
     let name = plain(function.name);
-    let arguments = function.arguments.iter().map(|argument| plain(argument));
+    let arguments: Vec<_> = function.arguments.iter().map(|name| plain(name)).collect();
     let first = columns
         .iter()
         .position(|column| column.meaning == Meaning::Picture);
-    let picture = first.map(|first| {
-        let (first, mechanism) = (literal::index(first), outline.name);
-        quote! {
-            #runtime::PictureColumns { first: #first, picture: <#mechanism<__p::f64>>::PICTURE }
+    let picture = match first {
+        Some(first) => {
+            let mechanism = code::text(outline.name);
+            format!(
+                "__p::Some(__p::PictureColumns {{ first: {first}, picture: <{mechanism}<__p::f64>>::PICTURE }})"
+            )
         }
-    });
-    let picture = optional(picture);
-    let columns = columns
-        .iter()
-        .map(|description| column(outline, description));
-    let everywhere = &attribute::split(function.attributes).everywhere;
-    quote! {
-        #runtime::if_report! {
-            #(#everywhere)*
+        None => "__p::None".to_owned(),
+    };
+    let columns: String = columns.iter().map(column).collect();
+    code::tokens(&format!(
+        "__p::if_report! {{
+            {everywhere}
             #[automatically_derived]
             #[doc(hidden)]
-            impl #runtime::Headed for #ty<__p::f64> {
-                const HEADING: &'static #runtime::Heading = &#runtime::Heading {
-                    function: #name,
-                    arguments: &[#(#arguments),*],
-                    columns: &[#(#columns),*],
-                    picture: #picture,
-                };
-            }
-        }
-    }
+            impl __p::Headed for {ty}<__p::f64> {{
+                const HEADING: &'static __p::Heading = &__p::Heading {{
+                    function: {name:?},
+                    arguments: &{arguments:?},
+                    columns: &[{columns}],
+                    picture: {picture},
+                }};
+            }}
+        }}"
+    ))
 }
 
-fn column(outline: &Outline, column: &Column) -> TokenStream {
-    let runtime = &outline.runtime;
+fn column(column: &Column) -> String {
     let Column {
         name,
         unit,
         meaning,
     } = column;
     let (plain, quantity) = match *meaning {
-        Meaning::Value => (quote!(#runtime::value(#name, #unit)), None),
-        Meaning::Margin => (quote!(#runtime::margin(#name, #unit)), None),
-        Meaning::Picture => (quote!(#runtime::drawn(#name, #unit)), None),
-        Meaning::Rate { order, of } => (quote!(#runtime::rate(#name, #unit, #order)), of),
-        Meaning::Sensitivity { parameter, of } => {
-            let parameter = literal::index(parameter);
-            (quote!(#runtime::sensitivity(#name, #unit, #parameter)), of)
-        }
+        Meaning::Value => (format!("__p::value({name:?}, {unit:?})"), None),
+        Meaning::Margin => (format!("__p::margin({name:?}, {unit:?})"), None),
+        Meaning::Picture => (format!("__p::drawn({name:?}, {unit:?})"), None),
+        Meaning::Rate { order, of } => (format!("__p::rate({name:?}, {unit:?}, {order}u32)"), of),
+        Meaning::Sensitivity { parameter, of } => (
+            format!("__p::sensitivity({name:?}, {unit:?}, {parameter})"),
+            of,
+        ),
     };
-    match quantity.map(literal::index) {
-        Some(index) => quote!(#runtime::derivative_of(#index, #plain)),
-        None => plain,
-    }
-}
-
-fn optional(value: Option<TokenStream>) -> TokenStream {
-    match value {
-        Some(value) => quote!(__p::Some(#value)),
-        None => quote!(__p::None),
+    match quantity {
+        Some(index) => format!("__p::derivative_of({index}, {plain}),"),
+        None => plain + ",",
     }
 }

@@ -62,6 +62,15 @@ fn behind(prefix: &str, tokens: TokenStream, names: &mut BTreeSet<String>) {
                     names.insert(name.to_string());
                 }
             }
+            // Code that is printed as text.
+            TokenTree::Literal(text) => {
+                let (text, prefix) = (text.to_string(), format!("{prefix}::"));
+                let rests = text.split(&prefix).skip(1);
+                names.extend(rests.map(|rest| {
+                    let is_part = |c: char| c.is_alphanumeric() || c == '_';
+                    rest.chars().take_while(|c| is_part(*c)).collect::<String>()
+                }));
+            }
             _ => {}
         }
     }

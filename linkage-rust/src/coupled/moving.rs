@@ -9,7 +9,7 @@ use crate::array_types::Types;
 use crate::load::Places;
 use crate::outline::{Function, Outline};
 use crate::stages::Version;
-use crate::{attribute, literal, stages};
+use crate::{attribute, code, literal, stages};
 
 /// The type of the mechanism that changes its dimensions.
 fn moving_name(outline: &Outline) -> Ident {
@@ -27,7 +27,7 @@ pub(super) fn items(outline: &Outline) -> TokenStream {
     } = outline;
     let moving = moving_name(outline);
     let float = quote!(__p::f64);
-    let Types { modes, .. } = Types::new(outline);
+    let modes = code::tokens(&Types::new(outline).modes);
     let dimensions = outline.scalar_fields().len();
     let [parameters, angles, inputs, width, groups] = [
         dimensions,

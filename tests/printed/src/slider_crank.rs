@@ -437,21 +437,21 @@ const _: () = {
         ) {
             let __m = self;
             let __v0 = T::from_f64(__p::AssemblyMode::sign(__modes[0]));
-            let __v1 = T::from_f64(1.7976931348623157e308f64);
             let __v2 = __m.rod;
             let __v3 = T::abs(__v2);
-            let __v4 = T::mul_add::<__FUSED>(-__v3, __v3, __v1);
-            let __v5 = T::from_f64(__p::f64::NAN);
-            let __v6 = T::unless_negative(__v4, __v3);
+            let __v6 = T::unless_negative(
+                T::mul_add::<
+                    __FUSED,
+                >(-__v3, __v3, T::from_f64(1.7976931348623157e308f64)),
+                __v3,
+            );
             let __v7 = T::slack(__v6);
-            let __v8 = T::from_f64((-1.0f64));
-            let __v9 = __v8 / __v0;
+            let __v9 = T::from_f64((-1.0f64)) / __v0;
             let __v10 = T::from_f64(1.0f64);
             let __v11 = __v10 / __v2;
             let __v12 = __v0 * __v11;
             let __v13 = __v10 / __v6;
-            let __v14 = __v6 * __v6;
-            let __v15 = __v10 / __v14;
+            let __v15 = __v10 / (__v6 * __v6);
             let __v16 = -__v12;
             __slots.put(0, __v0);
             __slots.put(1, __v6);
@@ -472,25 +472,17 @@ const _: () = {
             const __FUSED: __p::bool = __p::FUSED;
             let __m = self;
             let __v0 = __prepared[1];
-            let __v1 = __m.offset;
             let __v2 = __m.crank;
-            let __v3 = __x[0];
-            let (__v4, __v5) = T::sin_cos_with::<__FUSED>(__v3);
-            let __v6 = T::mul_add::<__FUSED>(-__v2, __v4, __v1);
-            let __v7 = __v0 - __v6;
-            let __v8 = __v0 + __v6;
-            let __v9 = __prepared[2];
-            let __v10 = __v2 * __v5;
-            let __v11 = T::abs(__v10);
-            let __v12 = __v11 + __v0;
-            let __v13 = __v9 * __v12;
-            let __v14 = T::mul_add::<__FUSED>(__v7, __v8, __v13);
-            let __v15 = T::from_f64(0.0f64);
-            let __v16 = T::abs(__v6);
-            let __v17 = __v16 - __v0;
-            let __v18 = T::from_f64(2.2250738585072014e-308f64);
-            let __v19 = T::max(__v17, __v18);
-            let __v20 = T::select(__v14, __v15, __v19);
+            let (__v4, __v5) = T::sin_cos_with::<__FUSED>(__x[0]);
+            let __v6 = T::mul_add::<__FUSED>(-__v2, __v4, __m.offset);
+            let __v14 = T::mul_add::<
+                __FUSED,
+            >(__v0 - __v6, __v0 + __v6, __prepared[2] * (T::abs(__v2 * __v5) + __v0));
+            let __v20 = T::select(
+                __v14,
+                T::from_f64(0.0f64),
+                T::max(T::abs(__v6) - __v0, T::from_f64(2.2250738585072014e-308f64)),
+            );
             [__v20]
         }
         fn directions(
@@ -547,35 +539,22 @@ const _: () = {
             const __FUSED: __p::bool = __p::FUSED;
             let (__m, __modes, __prepared) = __core.loaded();
             let __v0 = __prepared[1];
-            let __v1 = __m.offset;
             let __v2 = __m.crank;
-            let __v3 = __x[0];
-            let (__v4, __v5) = T::sin_cos_with::<__FUSED>(__v3);
-            let __v6 = T::mul_add::<__FUSED>(-__v2, __v4, __v1);
-            let __v7 = __v0 - __v6;
-            let __v8 = __v0 + __v6;
-            let __v9 = __v7 * __v8;
-            let __v10 = __prepared[7];
-            let __v11 = __v10 * __v9;
+            let (__v4, __v5) = T::sin_cos_with::<__FUSED>(__x[0]);
+            let __v6 = T::mul_add::<__FUSED>(-__v2, __v4, __m.offset);
+            let __v9 = (__v0 - __v6) * (__v0 + __v6);
+            let __v11 = __prepared[7] * __v9;
             if __SLACKS {
                 return __p::slacks([__v11]);
             }
-            let __v12 = T::from_f64(1.0f64);
-            let __v13 = __prepared[6];
-            let __v14 = __prepared[2];
             let __v15 = __v2 * __v5;
-            let __v16 = T::abs(__v15);
-            let __v17 = __v16 + __v0;
-            let __v18 = T::root_with::<__FUSED>(__v9, __v14, __v17);
-            let __v19 = __v13 * __v18;
-            let __v20 = T::min(__v12, __v19);
-            let __v21 = __prepared[8];
-            let __v22 = __v21 * __v18;
-            let __v23 = __prepared[4];
-            let __v24 = T::select(__v18, __v6, __v18);
-            let __v25 = __v23 * __v24;
-            let __v26 = __prepared[0];
-            let __v27 = T::mul_add::<__FUSED>(-__v26, __v18, __v15);
+            let __v18 = T::root_with::<
+                __FUSED,
+            >(__v9, __prepared[2], T::abs(__v15) + __v0);
+            let __v20 = T::min(T::from_f64(1.0f64), __prepared[6] * __v18);
+            let __v22 = __prepared[8] * __v18;
+            let __v25 = __prepared[4] * T::select(__v18, __v6, __v18);
+            let __v27 = T::mul_add::<__FUSED>(-__prepared[0], __v18, __v15);
             [__v20, __v11, __v22, __v25, __v27]
         }
     }
@@ -706,10 +685,8 @@ const _: () = {
             __core: &__Core<T>,
             __row: &mut impl __p::StageRow<T>,
         ) {
-            let __v0 = __row.number(0);
-            let (__v1, __v2) = T::sin_cos_shortest::<__FUSED, __ROWS>(__v0);
-            let __v3 = __core.dimensions.crank;
-            let __v4 = __v3 * __v2;
+            let (__v1, __v2) = T::sin_cos_shortest::<__FUSED, __ROWS>(__row.number(0));
+            let __v4 = __core.dimensions.crank * __v2;
             __row.keep(0, __v1);
             __row.keep(1, __v4);
         }
@@ -723,32 +700,25 @@ const _: () = {
             let __v0 = __core.dimensions.crank;
             let __v1 = __row.kept(0);
             let __v2 = __v0 * __v1;
-            let __v3 = __core.dimensions.offset;
-            let __v4 = T::mul_add::<__FUSED>(-__v0, __v1, __v3);
+            let __v4 = T::mul_add::<__FUSED>(-__v0, __v1, __core.dimensions.offset);
             let __v5 = __row.prepared(1);
-            let __v6 = __v5 - __v4;
-            let __v7 = __v5 + __v4;
-            let __v8 = __v6 * __v7;
             let __v9 = __row.kept(1);
-            let __v10 = T::abs(__v9);
-            let __v11 = __v10 + __v5;
-            let __v12 = __row.prepared(2);
-            let __v13 = T::root_with::<__FUSED>(__v8, __v12, __v11);
+            let __v13 = T::root_with::<
+                __FUSED,
+            >((__v5 - __v4) * (__v5 + __v4), __row.prepared(2), T::abs(__v9) + __v5);
             let __v14 = __row.prepared(0);
-            let __v15 = __v14 * __v13;
             let __v16 = T::mul_add::<__FUSED>(-__v14, __v13, __v9);
             let __v17 = T::select(__v13, __v4, __v13);
-            let __v18 = __row.prepared(3);
-            let __v19 = T::quotient_with::<__FUSED>(__v18, __v13);
+            let __v19 = T::quotient_with::<__FUSED>(__row.prepared(3), __v13);
             let __v20 = __v9 * __v19;
-            let __v21 = __v17 * __v20;
             let __v22 = T::mul_add::<__FUSED>(__v17, __v20, -__v2);
-            let __v23 = T::mul_add::<__FUSED>(__v20, __v21, __v2);
-            let __v24 = __v19 * __v23;
-            let __v25 = __v15 * __v20;
-            let __v26 = T::mul_add::<__FUSED>(-__v20, __v25, __v9);
-            let __v27 = T::mul_add::<__FUSED>(__v17, __v24, __v26);
-            let __v28 = -__v27;
+            let __v28 = -T::mul_add::<
+                __FUSED,
+            >(
+                __v17,
+                __v19 * T::mul_add::<__FUSED>(__v20, __v17 * __v20, __v2),
+                T::mul_add::<__FUSED>(-__v20, (__v14 * __v13) * __v20, __v9),
+            );
             __row.finish(0, __v16);
             __row.finish(1, __v22);
             __row.finish(2, __v28);
@@ -855,8 +825,7 @@ const _: () = {
             __core: &__Core<T>,
             __row: &mut impl __p::StageRow<T>,
         ) {
-            let __v0 = __row.number(0);
-            let (__v1, __v2) = T::sin_cos_shortest::<__FUSED, __ROWS>(__v0);
+            let (__v1, __v2) = T::sin_cos_shortest::<__FUSED, __ROWS>(__row.number(0));
             __row.keep(0, __v1);
             __row.keep(1, __v2);
         }
@@ -871,35 +840,20 @@ const _: () = {
             let __v1 = __row.kept(1);
             let __v2 = __v0 * __v1;
             let __v3 = __row.kept(0);
-            let __v4 = __core.dimensions.offset;
-            let __v5 = T::mul_add::<__FUSED>(-__v0, __v3, __v4);
+            let __v5 = T::mul_add::<__FUSED>(-__v0, __v3, __core.dimensions.offset);
             let __v6 = __row.prepared(1);
-            let __v7 = __v6 - __v5;
-            let __v8 = __v6 + __v5;
-            let __v9 = __v7 * __v8;
-            let __v10 = T::abs(__v2);
-            let __v11 = __v10 + __v6;
-            let __v12 = __row.prepared(2);
-            let __v13 = T::root_with::<__FUSED>(__v9, __v12, __v11);
-            let __v14 = __row.prepared(0);
-            let __v15 = T::mul_add::<__FUSED>(-__v14, __v13, __v2);
+            let __v13 = T::root_with::<
+                __FUSED,
+            >((__v6 - __v5) * (__v6 + __v5), __row.prepared(2), T::abs(__v2) + __v6);
+            let __v15 = T::mul_add::<__FUSED>(-__row.prepared(0), __v13, __v2);
             let __v16 = T::select(__v13, __v5, __v13);
-            let __v17 = __row.prepared(3);
-            let __v18 = T::quotient_with::<__FUSED>(__v17, __v13);
-            let __v19 = __v3 * __v18;
-            let __v20 = T::mul_add::<__FUSED>(__v16, __v19, __v1);
-            let __v21 = __row.prepared(4);
-            let __v22 = __v21 * __v16;
-            let __v23 = __v22 * __v18;
-            let __v24 = __row.prepared(5);
-            let __v25 = __v24 * __v13;
-            let __v26 = T::mul_add::<__FUSED>(__v16, __v23, -__v25);
-            let __v27 = __v16 * __v18;
-            let __v28 = -__v27;
-            let __v29 = __row.prepared(6);
-            let __v30 = __v29 * __v13;
-            let __v31 = T::from_f64(1.0f64);
-            let __v32 = T::min(__v31, __v30);
+            let __v18 = T::quotient_with::<__FUSED>(__row.prepared(3), __v13);
+            let __v20 = T::mul_add::<__FUSED>(__v16, __v3 * __v18, __v1);
+            let __v26 = T::mul_add::<
+                __FUSED,
+            >(__v16, (__row.prepared(4) * __v16) * __v18, -(__row.prepared(5) * __v13));
+            let __v28 = -(__v16 * __v18);
+            let __v32 = T::min(T::from_f64(1.0f64), __row.prepared(6) * __v13);
             __row.finish(0, __v15);
             __row.finish(1, __v20);
             __row.finish(2, __v26);
@@ -1041,13 +995,11 @@ const _: () = {
             __core: &__Core<T>,
             __row: &mut impl __p::StageRow<T>,
         ) {
-            let __v0 = __row.number(0);
-            let (__v1, __v2) = T::sin_cos_shortest::<__FUSED, __ROWS>(__v0);
+            let (__v1, __v2) = T::sin_cos_shortest::<__FUSED, __ROWS>(__row.number(0));
             let __v3 = __core.dimensions.crank;
             let __v4 = __v3 * __v2;
             let __v5 = __v3 * __v1;
-            let __v6 = __core.dimensions.offset;
-            let __v7 = T::mul_add::<__FUSED>(-__v3, __v1, __v6);
+            let __v7 = T::mul_add::<__FUSED>(-__v3, __v1, __core.dimensions.offset);
             __row.keep(0, __v4);
             __row.keep(1, __v7);
             __row.finish(2, __v4);
@@ -1067,16 +1019,16 @@ const _: () = {
         ) {
             let __v0 = __row.prepared(1);
             let __v1 = __row.kept(1);
-            let __v2 = __v0 - __v1;
-            let __v3 = __v0 + __v1;
-            let __v4 = __v2 * __v3;
             let __v5 = __row.kept(0);
-            let __v6 = T::abs(__v5);
-            let __v7 = __v6 + __v0;
-            let __v8 = __row.prepared(2);
-            let __v9 = T::root_with::<__FUSED>(__v4, __v8, __v7);
-            let __v10 = __row.prepared(0);
-            let __v11 = T::mul_add::<__FUSED>(-__v10, __v9, __v5);
+            let __v11 = T::mul_add::<
+                __FUSED,
+            >(
+                -__row.prepared(0),
+                T::root_with::<
+                    __FUSED,
+                >((__v0 - __v1) * (__v0 + __v1), __row.prepared(2), T::abs(__v5) + __v0),
+                __v5,
+            );
             let __v12 = T::from_f64(0.0f64);
             let __v13 = __core.dimensions.offset;
             let __v14 = T::from_f64(1.0f64);

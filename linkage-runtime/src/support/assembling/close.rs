@@ -63,11 +63,21 @@ pub(super) fn close<T: Scalar>(description: &Description, gaps: &[T]) -> Result<
 /// The error of an assembly, which about no loop but about a dimension that is too large names the
 /// dimension. Those that a loop needs are finite.
 pub(super) fn explained<C: Compiled>(error: AssemblyError, mechanism: &C) -> AssemblyError {
+    explained_by(
+        mechanism.description(),
+        mechanism.dimensions().as_ref(),
+        error,
+    )
+}
+
+/// One function for all mechanisms: their code is compiled often enough.
+fn explained_by<T: Scalar>(
+    description: &Description,
+    values: &[T],
+    error: AssemblyError,
+) -> AssemblyError {
     match error {
-        AssemblyError::Undefined { .. } => {
-            let values = mechanism.dimensions();
-            too_large(mechanism.description(), values.as_ref()).unwrap_or(error)
-        }
+        AssemblyError::Undefined { .. } => too_large(description, values).unwrap_or(error),
         _ => error,
     }
 }

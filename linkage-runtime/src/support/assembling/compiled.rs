@@ -3,7 +3,7 @@
 use linkage_core::Scalar;
 
 use super::description::Description;
-use super::list::List;
+use super::list::{List, Table};
 use super::revolutions::Revolutions;
 use crate::data::{AssemblyMode, Input};
 use crate::support::assembly_data::{AssemblyData, Core};
@@ -37,7 +37,7 @@ pub trait Compiled: Clone {
     /// A number for each continuous angle.
     type Centres: List<Self::Scalar>;
     /// Numbers for each continuous angle.
-    type Windings: List<Self::Inputs>;
+    type Windings: List<Self::Inputs> + Table<Self::Scalar>;
     /// The numbers that depend on dimensions, modes and revolutions alone.
     type Prepared: List<Self::Scalar> + RowNumbersMut<Self::Scalar>;
     /// The initial states of coupled groups in all lanes.

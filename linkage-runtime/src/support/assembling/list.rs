@@ -14,6 +14,26 @@ pub trait List<X>: AsRef<[X]> + AsMut<[X]> + Clone {
         X: Copy;
 }
 
+/// Rows of one length, in a list.
+pub trait Table<X> {
+    /// The table with this entry everywhere; arrays have their lengths already.
+    fn filled(rows: usize, columns: usize, entry: X) -> Self;
+}
+
+impl<X: Copy, const R: usize, const C: usize> Table<X> for [[X; C]; R] {
+    #[inline(always)]
+    fn filled(_: usize, _: usize, entry: X) -> Self {
+        [[entry; C]; R]
+    }
+}
+
+#[cfg(feature = "alloc")]
+impl<X: Copy> Table<X> for Vec<Vec<X>> {
+    fn filled(rows: usize, columns: usize, entry: X) -> Self {
+        alloc::vec![alloc::vec![entry; columns]; rows]
+    }
+}
+
 impl<X: Clone, const N: usize> List<X> for [X; N] {
     #[inline(always)]
     fn list(_: usize, entry: impl FnMut(usize) -> X) -> Self {

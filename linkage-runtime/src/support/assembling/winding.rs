@@ -5,7 +5,7 @@ use linkage_core::numeric::winding::{Centre, follow, uniform};
 
 use super::compiled::{Compiled, RevolutionsOf};
 use super::description::Description;
-use super::list::List;
+use super::list::{List, Table};
 use super::preparation::prepared;
 use super::revolutions::{Along, Angle, Revolutions};
 
@@ -13,10 +13,9 @@ use super::revolutions::{Along, Angle, Revolutions};
 pub(super) fn at_estimates<C: Compiled>(mechanism: &C) -> RevolutionsOf<C> {
     let Description { angles, inputs, .. } = *mechanism.description();
     let zero = C::Scalar::from_f64(0.0);
-    let still = C::Inputs::repeat(inputs.len(), zero);
     let mut revolutions = Revolutions {
         centres: C::Centres::repeat(angles.len(), zero),
-        windings: C::Windings::list(angles.len(), |_| still.clone()),
+        windings: C::Windings::filled(angles.len(), inputs.len(), zero),
     };
     estimates(angles, revolutions.centres.as_mut());
     revolutions
