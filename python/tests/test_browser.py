@@ -6,7 +6,7 @@ import subprocess
 import pytest
 from conftest import required
 
-BROWSERS = ["chromium", "chromium-browser", "google-chrome", "google-chrome-stable"]
+BROWSERS = ["chromium-headless-shell", "chromium", "chromium-browser", "google-chrome", "google-chrome-stable"]
 
 
 def test_the_frame_shows_the_page(bar, m, tmp_path):

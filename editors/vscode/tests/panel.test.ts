@@ -74,7 +74,7 @@ const note = () => {
 `;
 
 async function browser(): Promise<string | undefined> {
-  for (const name of [process.env["CHROMIUM"] ?? "chromium", "chromium-browser", "google-chrome"]) {
+  for (const name of [process.env["CHROMIUM"] ?? "chromium-headless-shell", "chromium", "chromium-browser", "google-chrome"]) {
     const found = await execute(name, ["--version"]).then(() => true, () => false);
     if (found) return name;
   }

@@ -4,7 +4,6 @@ use crate::chromium;
 use crate::chromium::{Chromium, DevTools};
 use serde_json::{Value, json};
 use std::path::{Path, PathBuf};
-use std::sync::Arc;
 use std::time::{Duration, Instant};
 use std::{env, fs, thread};
 
@@ -21,8 +20,6 @@ pub const REPORT: &str = "JSON.parse(document.getElementById('report').textConte
 /// A page that is shown.
 pub struct Page {
     pub(crate) tools: DevTools,
-    // Ends the browser with the last page, after the connection to it.
-    _browser: Arc<Chromium>,
 }
 
 impl Page {
@@ -57,7 +54,6 @@ impl Page {
         let browser = Chromium::shared(&program);
         let mut page = Self {
             tools: DevTools::connect(&browser.address),
-            _browser: browser,
         };
         for domain in ["Page", "Runtime", "Log", "Network"] {
             page.tools.call(&format!("{domain}.enable"), json!({}));
