@@ -7,6 +7,7 @@ use crate::batch::{Batch, Number, Request, UNOPTIMISED};
 use crate::machine::Compiler;
 use linkage_corpus::given::{Given, exported};
 use linkage_corpus::reference::Assembled;
+use linkage_random::one_in;
 
 /// Positions of each function over the range of the input.
 const POSITIONS: usize = 100;
@@ -20,6 +21,13 @@ pub(crate) fn all() -> Vec<Given> {
     // A table with ends.
     all.push(Given::text(&triad("261mm").replace("360deg", "200deg")));
     all
+}
+
+/// A fourth of them, and the two of texts, where compiling takes long.
+pub(crate) fn some() -> impl Iterator<Item = Given> {
+    let mut all = all();
+    let texts = all.split_off(all.len() - 2);
+    one_in(4, all).chain(texts)
 }
 
 /// Requests for all functions over the range, and a little beyond.

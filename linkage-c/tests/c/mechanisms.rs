@@ -4,7 +4,7 @@ use linkage_compiler::ir::CompiledMechanism;
 use linkage_corpus::sample;
 use linkage_random::{Random, one_in};
 
-use crate::batch::{Batch, Number, Request};
+use crate::batch::{Batch, Number, Request, UNOPTIMISED};
 use crate::machine::Compiler;
 use linkage_corpus::given::{self, Given, exported, turning};
 use linkage_corpus::reference::Assembled;
@@ -21,9 +21,9 @@ fn with_closed_forms() -> Vec<Given> {
     all
 }
 
-/// A fourth of them where all have been compared in doubles: other numbers and other flags change the same lines.
-fn some() -> Vec<Given> {
-    one_in(4, with_closed_forms()).collect()
+/// One of so many where all have been compared in doubles: other numbers and other flags change the same lines.
+fn some(count: usize) -> Vec<Given> {
+    one_in(count, with_closed_forms()).collect()
 }
 
 /// Dimensions near the defaults.
@@ -77,12 +77,15 @@ fn asked<T: Number>(given: &[Given]) -> (Vec<Request<T>>, Vec<Option<Vec<T>>>) {
     (requests, expected)
 }
 
+/// What an optimiser may do to doubles and singles alike, without its slowest parts.
+const OPTIMISED: [&str; 2] = ["-O1", "-ffp-contract=off"];
+
 /// Compares all results to the last bit; any NaN is one.
-fn same<T: Number>(name: &str, given: &[Given]) {
+fn same<T: Number>(name: &str, given: &[Given], flags: &[&str]) {
     let Some(compiler) = Compiler::find() else {
         return;
     };
-    let batch = Batch::new::<T>(&compiler, name, given, &["-O1", "-ffp-contract=off"]);
+    let batch = Batch::new::<T>(&compiler, name, given, flags);
     let (count, finite) = compare::<T>(name, given, &batch);
     assert!(
         count > 500 * given.len() && finite > count / 2 && finite < count,
@@ -119,12 +122,17 @@ pub(crate) fn compare<T: Number>(name: &str, given: &[Given], batch: &Batch) -> 
 
 #[test]
 fn doubles_are_those_of_rust() {
-    same::<f64>("doubles", &with_closed_forms());
+    same::<f64>("doubles", &with_closed_forms(), &UNOPTIMISED);
+}
+
+#[test]
+fn optimised_doubles_are_those_of_rust() {
+    same::<f64>("optimised", &some(4), &OPTIMISED);
 }
 
 #[test]
 fn singles_are_those_of_rust() {
-    same::<f32>("singles", &some());
+    same::<f32>("singles", &some(8), &OPTIMISED);
 }
 
 /// How many random mechanisms: other ones than the corpus's own tests take.
@@ -136,7 +144,7 @@ fn random_mechanisms_are_those_of_rust() {
     let mut given: Vec<Given> = texts.map(|text| Given::text(&text)).collect();
     given.retain(|own| own.unit.coupled.is_empty());
     assert!(given.len() > 3, "{} have closed forms", given.len());
-    same::<f64>("random", &given);
+    same::<f64>("random", &given, &OPTIMISED);
 }
 
 /// Roundoffs by which fused multiply-adds may change most results; positions next to a dead point multiply roundings.
@@ -152,7 +160,7 @@ fn fused<T: Number>(name: &str) {
         println!("skipped: this machine has no fused multiply-add");
         return;
     }
-    let given = some();
+    let given = some(8);
     // What makes multiply-adds, without the rest of `-O2`, which takes as long again.
     let mut arguments = vec!["-O1", "-fexpensive-optimizations", "-ffp-contract=fast"];
     if cfg!(target_arch = "x86_64") {

@@ -1,14 +1,16 @@
-//! Ten thousand mutated files of a format: a text or a message, never a panic, in the memory of a
+//! Thousands of mutated files of a format: a text or a message, never a panic, in the memory of a
 //! few files.
 
 use std::panic::{self, AssertUnwindSafe};
 
 use linkage_import::{Import, ImportError};
-use linkage_random::Random;
+use linkage_random::{Random, is_long};
 
 use crate::memory::{MOST_KILOBYTES, peak};
 
-const MUTATIONS: usize = 10_000;
+/// How many mutations, and how many in long runs. All runs have the same ones, so that a shorter run repeats the first of them.
+const MUTATIONS: usize = 2_500;
+const LONG: usize = 10_000;
 
 /// Pieces that formats and numbers have.
 const PIECES: [&str; 27] = [
@@ -82,8 +84,9 @@ pub(crate) fn survive(
     mut read: impl FnMut(usize, &[u8]) -> Result<Import, ImportError>,
 ) {
     let before = peak();
+    let count = if is_long() { LONG } else { MUTATIONS };
     let mut accepted = 0;
-    for index in 0..MUTATIONS {
+    for index in 0..count {
         let index = index % contents.len();
         let content = mutated(&contents[index], random);
         let result = panic::catch_unwind(AssertUnwindSafe(|| read(index, &content)));
@@ -98,7 +101,7 @@ pub(crate) fn survive(
     }
     // Both happen, or the mutations are too weak or too strong.
     assert!(
-        (MUTATIONS / 50..MUTATIONS * 99 / 100).contains(&accepted),
+        (count / 50..count * 99 / 100).contains(&accepted),
         "{accepted} of {name}"
     );
     if let (Some(before), Some(after)) = (before, peak()) {
