@@ -12,7 +12,7 @@ use quote::{format_ident, quote};
 
 use look_up::look_up;
 
-use super::array_types::Types;
+use super::array_types::{Types, starts_type};
 use super::load::Places;
 use super::outline::Outline;
 use super::{assembly_data, body, code, compiled, literal};
@@ -59,7 +59,7 @@ fn lookups(outline: &Outline) -> TokenStream {
     let Outline {
         runtime, assembly, ..
     } = outline;
-    let starts = code::tokens(&Types::new(outline).starts);
+    let starts = starts_type(outline);
     let together = extend(outline);
     let inputs = literal::index(outline.inputs.len());
     let width = literal::index(Places::all(outline).width());

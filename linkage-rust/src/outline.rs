@@ -5,7 +5,7 @@ use std::borrow::Cow;
 use proc_macro2::{Ident, Span, TokenStream};
 use quote::{format_ident, quote};
 
-use super::code::Code;
+use super::code::{self, Code};
 use super::spanned::aside;
 use super::{count, docs, drawing};
 use linkage_compiler::ir::{self, CompiledMechanism};
@@ -13,6 +13,9 @@ use linkage_language::model::{ASSEMBLY, COLUMNS, COMPONENTS, Shape};
 use linkage_language::syntax::{
     Attribute, FunctionDef, Item, MechanismDef, ParamItem, QuantityDef,
 };
+
+/// The body of a function of a mechanism with errors.
+const WITHOUT_PROGRAM: &str = "::core::unimplemented!(\"the mechanism has errors\")";
 
 /// The surface of one mechanism.
 #[derive(Clone)]
@@ -200,10 +203,9 @@ impl<'a> Outline<'a> {
 
     /// `body`, or a panic if the outline has no program.
     pub(super) fn body(&self, body: TokenStream) -> TokenStream {
-        if self.complete {
-            body
-        } else {
-            quote!(::core::unimplemented!("the mechanism has errors"))
+        match self.complete {
+            true => body,
+            false => code::tokens(WITHOUT_PROGRAM),
         }
     }
 
@@ -211,7 +213,7 @@ impl<'a> Outline<'a> {
     pub(super) fn body_text<'b>(&self, body: &'b str) -> &'b str {
         match self.complete {
             true => body,
-            false => "::core::unimplemented!(\"the mechanism has errors\")",
+            false => WITHOUT_PROGRAM,
         }
     }
 

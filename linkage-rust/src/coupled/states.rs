@@ -4,10 +4,10 @@
 use proc_macro2::TokenStream;
 use quote::quote;
 
-use crate::array_types::Types;
+use crate::array_types::starts_type;
 use crate::outline::{Function, Outline};
 use crate::stages::Version;
-use crate::{attribute, code, literal, stages};
+use crate::{attribute, literal, stages};
 
 use super::look_up::{look_up, places};
 
@@ -45,7 +45,7 @@ pub(super) fn items(outline: &Outline, function: &Function) -> TokenStream {
         });
         first = behind;
     }
-    let starts = code::tokens(&Types::new(outline).starts);
+    let starts = starts_type(outline);
     let count = literal::index(function.arguments.len());
     let width = literal::index(function.arguments.len() + first);
     quote! {
